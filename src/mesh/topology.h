@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "mesh/triangle_mesh.h"
+
+namespace voroprobe
+{
+
+//! Combinatorial facts about a mesh. "Piece": faces connected through shared edges.
+struct MeshTopology
+{
+    std::size_t components = 0;            //!< pieces
+    long euler_characteristic = 0;         //!< used vertices - edges + faces
+    std::size_t boundary_edges = 0;        //!< on one face
+    std::size_t non_manifold_edges = 0;    //!< on three or more faces
+    std::size_t non_manifold_vertices = 0; //!< whose faces are not one fan
+    std::size_t misoriented_edges = 0;     //!< two faces that run along it in the same direction
+    std::size_t unused_vertices = 0;       //!< on no face
+    std::size_t degenerate_faces = 0;      //!< that name a vertex twice
+
+    [[nodiscard]] bool closed() const { return boundary_edges == 0 && degenerate_faces == 0; }
+    [[nodiscard]] bool manifold() const
+    {
+        return non_manifold_edges == 0 && non_manifold_vertices == 0 && degenerate_faces == 0;
+    }
+    [[nodiscard]] bool oriented() const { return misoriented_edges == 0; }
+};
+
+//! Cost: O(n log n), no hashing of floating-point numbers.
+MeshTopology analyze_topology(const TriangleMesh& mesh);
+
+//! Closed, manifold, oriented and without unused vertices.
+bool is_closed_manifold(const TriangleMesh& mesh);
+
+std::size_t count_components(const TriangleMesh& mesh);
+long euler_characteristic(const TriangleMesh& mesh);
+
+//! For each face the number of its piece, 0 to count_components() - 1, numbered by first face.
+std::vector<std::uint32_t> component_of_faces(const TriangleMesh& mesh);
+
+//! The mesh with vertices at equal coordinates made one, as every STL reader does; faces keep their order.
+TriangleMesh weld(const TriangleMesh& mesh);
+
+} // namespace voroprobe

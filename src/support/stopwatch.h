@@ -1,0 +1,21 @@
+#pragma once
+
+#include <chrono>
+
+namespace voroprobe
+{
+
+//! Wall-clock time since construction.
+class Stopwatch
+{
+public:
+    [[nodiscard]] double seconds() const
+    {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+} // namespace voroprobe
