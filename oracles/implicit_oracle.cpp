@@ -1,0 +1,1 @@
+#include "oracles/implicit_oracle.h"

@@ -1,0 +1,1 @@
+#include "oracles/sphere_union_oracle.h"

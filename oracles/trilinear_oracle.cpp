@@ -1,0 +1,1 @@
+#include "oracles/trilinear_oracle.h"

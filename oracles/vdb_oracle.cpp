@@ -1,0 +1,1 @@
+#include "oracles/vdb_oracle.h"

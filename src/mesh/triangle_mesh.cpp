@@ -1,0 +1,1 @@
+#include "mesh/triangle_mesh.h"

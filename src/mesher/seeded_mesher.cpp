@@ -1,0 +1,1 @@
+#include "mesher/seeded_mesher.h"

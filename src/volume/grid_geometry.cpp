@@ -1,0 +1,1 @@
+#include "volume/grid_geometry.h"
