@@ -11,7 +11,8 @@ namespace voroprobe
 //! Sum of face areas, squared scan units.
 double area(const TriangleMesh& mesh);
 
-//! Volume enclosed by a closed mesh, cubic scan units; positive where faces wind outward (divergence theorem).
+//! Volume enclosed by a closed mesh, cubic scan units; positive where faces wind outward (divergence
+//! theorem).
 double enclosed_volume(const TriangleMesh& mesh);
 
 //! The three angles of a triangle, degrees; zero where two corners coincide.

@@ -9,17 +9,20 @@
 namespace voroprobe
 {
 
-//! Combinatorial facts about a mesh. "Piece": faces connected through shared edges.
+//! Combinatorial facts about a mesh. "Piece": faces connected through shared edges. Degenerate faces are
+//! counted and otherwise treated as collapsed: they connect pieces, but add no edge, no fan and nothing to
+//! the Euler characteristic.
 struct MeshTopology
 {
-    std::size_t components = 0;            //!< pieces
-    long euler_characteristic = 0;         //!< used vertices - edges + faces
-    std::size_t boundary_edges = 0;        //!< on one face
-    std::size_t non_manifold_edges = 0;    //!< on three or more faces
-    std::size_t non_manifold_vertices = 0; //!< whose faces are not one fan
-    std::size_t misoriented_edges = 0;     //!< two faces that run along it in the same direction
-    std::size_t unused_vertices = 0;       //!< on no face
-    std::size_t degenerate_faces = 0;      //!< that name a vertex twice
+    std::size_t components = 0;         //!< pieces
+    long euler_characteristic = 0;      //!< used vertices - edges + faces
+    std::size_t boundary_edges = 0;     //!< on one face
+    std::size_t non_manifold_edges = 0; //!< on three or more faces
+    std::size_t non_manifold_vertices =
+        0; //!< whose faces are not one fan, closed or open; ends of such edges included
+    std::size_t misoriented_edges = 0; //!< two faces that run along it in the same direction
+    std::size_t unused_vertices = 0;   //!< on no face
+    std::size_t degenerate_faces = 0;  //!< that name a vertex twice
 
     [[nodiscard]] bool closed() const { return boundary_edges == 0 && degenerate_faces == 0; }
     [[nodiscard]] bool manifold() const
@@ -29,7 +32,8 @@ struct MeshTopology
     [[nodiscard]] bool oriented() const { return misoriented_edges == 0; }
 };
 
-//! Cost: O(n log n), no hashing of floating-point numbers.
+//! Coordinates play no part. \pre faces name existing vertices. Cost: close to linear; about 0.3 s and 60
+//! bytes a face for a million faces.
 MeshTopology analyze_topology(const TriangleMesh& mesh);
 
 //! Closed, manifold, oriented and without unused vertices.
@@ -41,7 +45,8 @@ long euler_characteristic(const TriangleMesh& mesh);
 //! For each face the number of its piece, 0 to count_components() - 1, numbered by first face.
 std::vector<std::uint32_t> component_of_faces(const TriangleMesh& mesh);
 
-//! The mesh with vertices at equal coordinates made one, as every STL reader does; faces keep their order.
+//! The mesh with vertices at equal coordinates made one, as every STL reader does; faces keep their order and
+//! number, those that collapse become degenerate. \pre coordinates are finite. Cost: O(n log n).
 TriangleMesh weld(const TriangleMesh& mesh);
 
 } // namespace voroprobe

@@ -24,7 +24,8 @@ struct TriangleMesh
 
 Box3 bounding_box(const TriangleMesh& mesh);
 
-//! Moves every vertex; where the transform reverses orientation the faces are turned over, so that they keep facing outward.
+//! Moves every vertex; where the transform reverses orientation the faces are turned over, so that they keep
+//! facing outward.
 void transform(TriangleMesh& mesh, const AffineTransform& to_from_mesh);
 
 } // namespace voroprobe
