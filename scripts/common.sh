@@ -1,0 +1,55 @@
+# Shared by the scripts of this folder: source it. Sets `top`, the top of the repository, and `jobs`.
+# shellcheck shell=bash
+
+top="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
+build="$top/build/release"
+
+# Compilations at once: one per processor, but each may take 2 GB (CGAL and ITK are templates all the way down).
+count_jobs()
+{
+    local processors memory_kb
+    processors="$(nproc 2>/dev/null || echo 1)"
+    memory_kb="$(awk '/^MemAvailable:/ { print $2 }' /proc/meminfo 2>/dev/null || true)"
+    local by_memory=$(( ${memory_kb:-2000000} / 2000000 ))
+    local count=$(( processors < by_memory ? processors : by_memory ))
+    echo $(( count > 0 ? count : 1 ))
+}
+jobs="$(count_jobs)"
+
+# quietly WHAT COMMAND...: runs the command and shows what it printed only where it fails.
+quietly()
+{
+    local what="$1" log
+    shift
+    log="$(mktemp)"
+    if "$@" </dev/null >"$log" 2>&1; then
+        rm -f -- "$log"
+        return 0
+    else
+        local status=$?
+        cat -- "$log" >&2
+        rm -f -- "$log"
+        echo "$what failed with status $status: $*" >&2
+        return "$status"
+    fi
+}
+
+# configure [CMAKE ARGUMENTS...]: the release preset, with ccache where there is one.
+configure()
+{
+    local arguments=(--preset release -S "$top" -B "$build" "$@")
+    if command -v ccache >/dev/null; then
+        arguments+=(-D CMAKE_C_COMPILER_LAUNCHER=ccache -D CMAKE_CXX_COMPILER_LAUNCHER=ccache)
+    fi
+    (cd -- "$top" && quietly "configuring" cmake "${arguments[@]}")
+}
+
+# compile [TARGET...]: everything unless targets are named.
+compile()
+{
+    local arguments=(--build "$build" --parallel "$jobs")
+    if [ "$#" -gt 0 ]; then
+        arguments+=(--target "$@")
+    fi
+    quietly "building" cmake "${arguments[@]}"
+}
