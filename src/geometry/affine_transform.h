@@ -44,7 +44,10 @@ struct AffineTransform
     Matrix3 linear;
     Vec3 translation;
 
-    friend constexpr Point3 operator*(const AffineTransform& t, const Point3& p) { return t.linear * p + t.translation; }
+    friend constexpr Point3 operator*(const AffineTransform& t, const Point3& p)
+    {
+        return t.linear * p + t.translation;
+    }
     friend constexpr AffineTransform operator*(const AffineTransform& a, const AffineTransform& b)
     {
         return {a.linear * b.linear, a * b.translation};

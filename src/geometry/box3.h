@@ -42,9 +42,9 @@ struct Box3
     }
 };
 
-//! Parameters of the part of `segment` inside `box`, 0 <= first <= second <= 1; nullopt when they do not meet. Exact
-//! comparisons of rounded parameters: the ends lie on the box to within rounding of the segment's length. Cost: O(1).
-//! Source: Kay & Kajiya 1986 (slabs).
+//! Parameters of the part of `segment` inside `box`, 0 <= first <= second <= 1; nullopt when they do not
+//! meet. Exact comparisons of rounded parameters: the ends lie on the box to within rounding of the segment's
+//! length. Cost: O(1). Source: Kay & Kajiya 1986 (slabs).
 struct ParameterRange
 {
     double first;

@@ -7,7 +7,8 @@
 namespace voroprobe
 {
 
-//! A vector or, under its other name, a point of 3D space. Frame and unit are told by the name of the variable.
+//! A vector or, under its other name, a point of 3D space. Frame and unit are told by the name of the
+//! variable.
 struct Vec3
 {
     double x = 0.0;
@@ -18,8 +19,14 @@ struct Vec3
     constexpr double& operator[](std::size_t axis) { return axis == 0 ? x : axis == 1 ? y : z; }
 
     friend constexpr bool operator==(const Vec3&, const Vec3&) = default;
-    friend constexpr Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-    friend constexpr Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    friend constexpr Vec3 operator+(const Vec3& a, const Vec3& b)
+    {
+        return {a.x + b.x, a.y + b.y, a.z + b.z};
+    }
+    friend constexpr Vec3 operator-(const Vec3& a, const Vec3& b)
+    {
+        return {a.x - b.x, a.y - b.y, a.z - b.z};
+    }
     friend constexpr Vec3 operator-(const Vec3& a) { return {-a.x, -a.y, -a.z}; }
     friend constexpr Vec3 operator*(double s, const Vec3& a) { return {s * a.x, s * a.y, s * a.z}; }
     friend constexpr Vec3 operator*(const Vec3& a, double s) { return s * a; }

@@ -28,12 +28,13 @@ struct MeshingOptions
     //! (Boissonnat & Oudot 2005).
     double min_facet_angle_deg = 30.0;
 
-    //! Facets whose surface Delaunay ball is no larger than this are not refined for the sake of topology, > 0. Ends the
-    //! chase at the creases of the trilinear interpolant and at contacts of zero reach; a quarter of a voxel is sensible.
+    //! Facets whose surface Delaunay ball is no larger than this are not refined for the sake of topology, >
+    //! 0. Ends the chase at the creases of the trilinear interpolant and at contacts of zero reach; a quarter
+    //! of a voxel is sensible.
     double floor_radius;
 
-    //! A strict lower bound of the surface's reach, > 0: sets the spacing of probes. Components closer or thinner may be
-    //! missed.
+    //! A strict lower bound of the surface's reach, > 0: sets the spacing of probes. Components closer or
+    //! thinner may be missed.
     double reach_lower_bound;
 
     IsolatedVertices isolated_vertices = IsolatedVertices::kAllAtOnce;

@@ -28,15 +28,16 @@ struct MeshingStatistics
     std::size_t insertions = 0;             //!< points inserted into the triangulation
     std::size_t stale_queue_entries = 0;    //!< bad facets popped after they had vanished
 
-    std::size_t components_by_initialization = 0;   //!< pieces first met by probe(domain)
-    std::size_t components_by_isolated_vertex = 0;  //!< pieces begun at an isolated vertex
-    std::size_t components_by_probing = 0;          //!< pieces first met by probing a Voronoi cell
-    std::size_t components_by_refinement = 0;       //!< pieces that refinement reached by itself
-    std::size_t isolated_vertices_abandoned = 0;    //!< vertices that no facet of the mesh could be made to use
+    std::size_t components_by_initialization = 0;  //!< pieces first met by probe(domain)
+    std::size_t components_by_isolated_vertex = 0; //!< pieces begun at an isolated vertex
+    std::size_t components_by_probing = 0;         //!< pieces first met by probing a Voronoi cell
+    std::size_t components_by_refinement = 0;      //!< pieces that refinement reached by itself
+    std::size_t isolated_vertices_abandoned = 0; //!< vertices that no facet of the mesh could be made to use
 
-    std::size_t facets_at_floor = 0;       //!< facets that break a criterion, kept because they are as small as the floor
-    std::size_t vertices_split = 0;        //!< non-manifold vertices and edges taken apart at the end
-    double seconds_refinement = 0.0;       //!< wall clock, refinement and seeding together
+    std::size_t facets_at_floor =
+        0; //!< facets that break a criterion, kept because they are as small as the floor
+    std::size_t vertices_split = 0;  //!< non-manifold vertices and edges taken apart at the end
+    double seconds_refinement = 0.0; //!< wall clock, refinement and seeding together
 };
 
 struct MeshingResult
@@ -50,6 +51,7 @@ struct MeshingResult
 //! Source: Feree & Alliez, Probing for Surface Mesh Generation through Delaunay Refinement, RR-8123, 2009.
 //! An oracle that crosses no probe gives an empty mesh. Cost: O(n log n) for n vertices, plus the probes.
 //! \throw UsageError where an option is outside its range.
-MeshingResult mesh_surface(const SurfaceOracle& oracle, const MeshingOptions& options, ProgressSink* progress = nullptr);
+MeshingResult mesh_surface(const SurfaceOracle& oracle, const MeshingOptions& options,
+                           ProgressSink* progress = nullptr);
 
 } // namespace voroprobe

@@ -3,19 +3,20 @@
 #include <cstdlib>
 #include <iostream>
 
-//! CHECK_XX(a, b): a broken invariant stops the program and shows both values. Kept in Release; for user errors throw a type
-//! from error.h instead. DCHECK_XX is the same in builds without NDEBUG and nothing otherwise, for inner loops.
-#define VOROPROBE_CHECK_OP(a, op, b)                                                                                   \
-    do                                                                                                                 \
-    {                                                                                                                  \
-        const auto& check_a = (a);                                                                                     \
-        const auto& check_b = (b);                                                                                     \
-        if (!(check_a op check_b))                                                                                     \
-        {                                                                                                              \
-            std::cerr << __FILE__ << ":" << __LINE__ << ": check failed: " #a " " #op " " #b " (" << check_a << " vs "  \
-                      << check_b << ")" << std::endl;                                                                  \
-            std::abort();                                                                                              \
-        }                                                                                                              \
+//! CHECK_XX(a, b): a broken invariant stops the program and shows both values. Kept in Release; for user
+//! errors throw a type from error.h instead. DCHECK_XX is the same in builds without NDEBUG and nothing
+//! otherwise, for inner loops.
+#define VOROPROBE_CHECK_OP(a, op, b)                                                                         \
+    do                                                                                                       \
+    {                                                                                                        \
+        const auto& check_a = (a);                                                                           \
+        const auto& check_b = (b);                                                                           \
+        if (!(check_a op check_b))                                                                           \
+        {                                                                                                    \
+            std::cerr << __FILE__ << ":" << __LINE__ << ": check failed: " #a " " #op " " #b " (" << check_a \
+                      << " vs " << check_b << ")" << std::endl;                                              \
+            std::abort();                                                                                    \
+        }                                                                                                    \
     } while (false)
 
 #define CHECK(condition) VOROPROBE_CHECK_OP(static_cast<bool>(condition), ==, true)

@@ -10,17 +10,17 @@ namespace voroprobe
 enum class ExitStatus : int
 {
     kDone = 0,
-    kInternal = 1,      //!< a defect of ours, or an output that could not be written
-    kUsage = 2,         //!< a wrong option or combination of options
-    kInput = 3,         //!< an input that cannot be read or is not what was asked for
-    kEmptySurface = 4,  //!< the isovalue is outside the range of the samples
-    kIncomplete = 5,    //!< a promise about the mesh does not hold
-    kBudget = 6,        //!< out of memory, or a budget given by the user is spent
-    kInterrupted = 130  //!< SIGINT or SIGTERM
+    kInternal = 1,     //!< a defect of ours, or an output that could not be written
+    kUsage = 2,        //!< a wrong option or combination of options
+    kInput = 3,        //!< an input that cannot be read or is not what was asked for
+    kEmptySurface = 4, //!< the isovalue is outside the range of the samples
+    kIncomplete = 5,   //!< a promise about the mesh does not hold
+    kBudget = 6,       //!< out of memory, or a budget given by the user is spent
+    kInterrupted = 130 //!< SIGINT or SIGTERM
 };
 
-//! Base of everything this project throws on purpose. The message is one line that names what is wrong, where, the value
-//! found and the values allowed. Only `main` catches.
+//! Base of everything this project throws on purpose. The message is one line that names what is wrong,
+//! where, the value found and the values allowed. Only `main` catches.
 class Error : public std::runtime_error
 {
 public:

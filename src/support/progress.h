@@ -14,8 +14,8 @@ struct ProgressReport
     std::size_t bad_facets_left = 0; //!< bad facets known and not yet refined
 };
 
-//! Receives progress and may ask to stop. Called about every thousand insertions, always from the thread that started the
-//! computation; must be quick. The library itself prints nothing.
+//! Receives progress and may ask to stop. Called about every thousand insertions, always from the thread that
+//! started the computation; must be quick. The library itself prints nothing.
 class ProgressSink
 {
 public:
@@ -24,7 +24,8 @@ public:
     //! Called at every change of phase and regularly in between.
     virtual void report(const ProgressReport& report) = 0;
 
-    //! True once the user wants to stop; the computation returns within a second with a result flagged as interrupted.
+    //! True once the user wants to stop; the computation returns within a second with a result flagged as
+    //! interrupted.
     [[nodiscard]] virtual bool stop_requested() const = 0;
 };
 

@@ -5,8 +5,8 @@
 namespace voroprobe
 {
 
-//! SplitMix64 (Steele, Lea, Flood 2014): a small generator whose sequence is the same on every machine, unlike the
-//! distributions of <random>. Passed in, never global, never seeded by time.
+//! SplitMix64 (Steele, Lea, Flood 2014): a small generator whose sequence is the same on every machine,
+//! unlike the distributions of <random>. Passed in, never global, never seeded by time.
 class Random
 {
 public:

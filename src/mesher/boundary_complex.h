@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "mesh/triangle_mesh.h"
+#include "mesher/restricted_delaunay.h"
+
+namespace voroprobe
+{
+
+//! An odd facet seen from its inside Delaunay cell.
+struct BoundaryFace
+{
+    DelaunayCell inside;
+    int index;      //!< the facet is opposite this vertex of `inside`
+    bool on_border; //!< lies on a cap at the domain's border
+};
+
+//! The odd facets as a combinatorial 2-manifold: vertices of the triangulation around which they form several
+//! umbrellas, as seen from the inside, have one copy for each. Copies start at the same place.
+struct BoundaryComplex
+{
+    std::vector<BoundaryFace> faces;
+    TriangleMesh mesh;                         //!< counter-clockwise seen from outside
+    std::vector<std::uint32_t> origin_of_face; //!< for each mesh face the boundary face it is (a part of)
+    std::vector<VertexHandle>
+        vertex_of_copy; //!< for each mesh vertex its Delaunay vertex; null for one inside an edge
+};
+
+//! Collects the odd facets and pairs them across each edge through the inside cells between them, which takes
+//! inside parts that touch at an edge or a vertex apart. Cost: O(Delaunay cells).
+BoundaryComplex collect_boundary(const RestrictedDelaunay& restricted);
+
+//! Edges that four faces still share, because one umbrella passes them twice at both ends, are cut in the
+//! middle: each inside part gets its own middle vertex. Afterwards every edge has exactly two faces.
+void split_pinched_edges(BoundaryComplex& complex);
+
+} // namespace voroprobe

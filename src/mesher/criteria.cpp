@@ -1,0 +1,45 @@
+#include "mesher/criteria.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace voroprobe
+{
+
+FacetCriteria::FacetCriteria(const MeshingOptions& options)
+    : squared_size_(options.max_facet_radius * options.max_facet_radius),
+      squared_distance_(options.max_facet_distance ? *options.max_facet_distance * *options.max_facet_distance
+                                                   : std::numeric_limits<double>::infinity()),
+      squared_sine_of_angle_(std::pow(std::sin(options.min_facet_angle_deg * std::numbers::pi / 180.0), 2)),
+      squared_floor_(options.floor_radius * options.floor_radius)
+{
+}
+
+std::optional<Badness> FacetCriteria::badness(const RestrictedFacet& facet,
+                                              const std::array<Point3, 3>& corners) const
+{
+    if (facet.crossing_count > 1 && !at_floor(facet))
+        return Badness::kUnresolved;
+    if (!facet.odd())
+        return std::nullopt;
+    if (facet.squared_radius > squared_size_)
+        return Badness::kSize;
+
+    // Edge lengths and area give the circumradius R; the smallest angle is opposite the shortest edge, whose
+    // length is 2 R sin(angle). Circumcenter, ball center and corner form a right triangle.
+    const double aa = squared_distance(corners[1], corners[2]);
+    const double bb = squared_distance(corners[2], corners[0]);
+    const double cc = squared_distance(corners[0], corners[1]);
+    const double sixteen_squared_areas =
+        squared_norm(cross(corners[1] - corners[0], corners[2] - corners[0])) * 4.0;
+    const double squared_circumradius = aa * bb * cc / sixteen_squared_areas;
+    if (facet.squared_radius - squared_circumradius > squared_distance_)
+        return Badness::kDistance;
+    if (std::min({aa, bb, cc}) < 4.0 * squared_circumradius * squared_sine_of_angle_)
+        return Badness::kAngle;
+    return std::nullopt;
+}
+
+} // namespace voroprobe

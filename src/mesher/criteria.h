@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "mesher/meshing_options.h"
+#include "mesher/restricted_delaunay.h"
+
+namespace voroprobe
+{
+
+//! Why a facet is bad, most urgent first.
+enum class Badness : std::uint8_t
+{
+    kUnresolved, //!< its dual edge crosses the surface more than once
+    kSize,       //!< surface Delaunay ball larger than allowed
+    kDistance,   //!< circumcenter too far from the center of the surface Delaunay ball
+    kAngle       //!< smallest angle below the bound
+};
+inline constexpr std::size_t kBadnessCount = 4;
+
+//! The criteria of Feree & Alliez 2009, Definition 8, in a form without roots or trigonometry. The bounds are
+//! squared once.
+class FacetCriteria
+{
+public:
+    explicit FacetCriteria(const MeshingOptions& options);
+
+    //! The most urgent criterion the facet breaks, if any. Crossings closer together than the floor are not
+    //! pursued.
+    [[nodiscard]] std::optional<Badness> badness(const RestrictedFacet& facet,
+                                                 const std::array<Point3, 3>& corners) const;
+
+    //! Whether the facet is so small that topology is no longer pursued.
+    [[nodiscard]] bool at_floor(const RestrictedFacet& facet) const
+    {
+        return facet.squared_radius <= squared_floor_;
+    }
+
+private:
+    double squared_size_;
+    double squared_distance_;
+    double squared_sine_of_angle_;
+    double squared_floor_;
+};
+
+} // namespace voroprobe

@@ -1,0 +1,73 @@
+#pragma once
+
+// CGAL's triangulation as the mesher uses it. Internal to src/mesher: no other folder includes this header.
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Delaunay_triangulation_cell_base_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_cell_base_with_info_3.h>
+#include <CGAL/Triangulation_data_structure_3.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+
+#include "geometry/vec3.h"
+#include "oracles/surface_oracle.h"
+
+namespace voroprobe
+{
+
+//! Index into RestrictedDelaunay's table of restricted facets.
+using FacetId = std::uint32_t;
+inline constexpr FacetId kNoFacet = std::numeric_limits<FacetId>::max();
+inline constexpr FacetId kUnqueriedFacet =
+    kNoFacet - 1; //!< of a Delaunay cell just made: the oracle was not asked yet
+
+//! How a vertex came into the triangulation.
+enum class VertexOrigin : std::uint8_t
+{
+    kSentinel,       //!< far beyond the domain; makes every dual edge a segment
+    kProbe,          //!< hit by probe()
+    kInitialization, //!< second or third point of initialize_component()
+    kRefinement      //!< center of a bad facet's surface Delaunay ball
+};
+
+struct VertexData
+{
+    std::uint32_t index = 0; //!< in order of insertion, sentinels first
+    VertexOrigin origin = VertexOrigin::kRefinement;
+    std::uint8_t initializations = 0; //!< times initialize_component() was called for it
+    bool umbrella_unchecked = false;  //!< its restricted facets changed since its umbrella was last looked at
+};
+
+struct DelaunayCellData
+{
+    Point3 circumcenter;          //!< the dual Voronoi vertex
+    Region region = kOuterRegion; //!< of the circumcenter
+    std::array<FacetId, 4> facet{kNoFacet, kNoFacet, kNoFacet,
+                                 kNoFacet}; //!< restricted facet opposite each vertex
+};
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using DelaunayVertexBase = CGAL::Triangulation_vertex_base_with_info_3<VertexData, Kernel>;
+using DelaunayCellBase =
+    CGAL::Triangulation_cell_base_with_info_3<DelaunayCellData, Kernel,
+                                              CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
+using Triangulation = CGAL::Delaunay_triangulation_3<
+    Kernel, CGAL::Triangulation_data_structure_3<DelaunayVertexBase, DelaunayCellBase>>;
+using VertexHandle = Triangulation::Vertex_handle;
+using DelaunayCell = Triangulation::Cell_handle;
+
+inline Point3 position(const VertexHandle& vertex)
+{
+    return {vertex->point().x(), vertex->point().y(), vertex->point().z()};
+}
+
+inline Kernel::Point_3 cgal_point(const Point3& p)
+{
+    return {p.x, p.y, p.z};
+}
+
+} // namespace voroprobe

@@ -1,0 +1,123 @@
+#include "mesher/refinement.h"
+
+#include <limits>
+
+#include "mesher/umbrella.h"
+
+namespace voroprobe
+{
+namespace
+{
+
+constexpr std::size_t kInsertionsBetweenReports = 1024;
+
+} // namespace
+
+Refinement::Refinement(RestrictedDelaunay& restricted, const MeshingOptions& options,
+                       MeshingStatistics& statistics, ProgressSink* progress)
+    : restricted_(restricted), statistics_(statistics), progress_(progress), criteria_(options),
+      max_vertices_(options.max_vertices.value_or(std::numeric_limits<std::size_t>::max()))
+{
+}
+
+VertexHandle Refinement::insert(const Point3& p, DelaunayCell start, VertexOrigin origin, VertexHandle hint)
+{
+    const VertexHandle vertex = restricted_.insert(p, start, origin, hint);
+    for (const FacetId id : restricted_.changed_facets())
+    {
+        const RestrictedFacet& facet = restricted_.facet(id);
+        if (const auto badness = criteria_.badness(facet, restricted_.corners(facet)))
+            bad_facets_.push(id, facet.generation, *badness);
+    }
+    return vertex;
+}
+
+void Refinement::refine()
+{
+    while (may_go_on())
+    {
+        if (const auto bad_facet = bad_facets_.pop(restricted_, statistics_.stale_queue_entries))
+            refine_facet(*bad_facet);
+        else if (const VertexHandle vertex = restricted_.take_unchecked_vertex(); vertex != VertexHandle())
+            refine_around(vertex);
+        else
+            return;
+    }
+}
+
+// Inserts the center of the facet's surface Delaunay ball. False where rounding hides the conflict: the facet
+// is kept as it is.
+bool Refinement::refine_facet(FacetId id)
+{
+    RestrictedFacet& facet = restricted_.facet(id);
+    const DelaunayCell start = restricted_.conflicting_cell(facet);
+    if (start == DelaunayCell())
+    {
+        facet.kept = true;
+        return false;
+    }
+    const Point3 center = facet.center; // the facet is gone once its center is a vertex
+    insert(center, start, VertexOrigin::kRefinement);
+    return true;
+}
+
+// The manifold criterion: where the facets around a vertex are not one umbrella, the largest of them is bad.
+void Refinement::refine_around(VertexHandle vertex)
+{
+    restricted_.odd_facets_around(vertex, umbrella_);
+    if (umbrella_.empty())
+    {
+        if (vertex->info().origin != VertexOrigin::kSentinel)
+            isolated_vertices_.push_back(vertex);
+        return;
+    }
+    if (is_umbrella(restricted_, vertex, umbrella_))
+        return;
+    if (const auto largest = largest_facet_above_floor())
+        refine_facet(*largest);
+}
+
+std::optional<FacetId> Refinement::largest_facet_above_floor() const
+{
+    std::optional<FacetId> largest;
+    for (const FacetId id : umbrella_)
+    {
+        const RestrictedFacet& facet = restricted_.facet(id);
+        if (facet.kept || criteria_.at_floor(facet))
+            continue;
+        if (!largest || facet.squared_radius > restricted_.facet(*largest).squared_radius)
+            largest = id;
+    }
+    return largest;
+}
+
+std::optional<VertexHandle> Refinement::take_isolated_vertex()
+{
+    while (!isolated_vertices_.empty())
+    {
+        const VertexHandle vertex = isolated_vertices_.back();
+        isolated_vertices_.pop_back();
+        restricted_.odd_facets_around(vertex, umbrella_);
+        if (umbrella_.empty())
+            return vertex;
+    }
+    return std::nullopt;
+}
+
+bool Refinement::may_go_on()
+{
+    if (status_ != MeshingStatus::kDone)
+        return false;
+    if (restricted_.vertex_count() >= max_vertices_)
+        status_ = MeshingStatus::kBudgetExhausted;
+    else if (progress_ != nullptr && statistics_.insertions >= next_report_)
+    {
+        next_report_ = statistics_.insertions + kInsertionsBetweenReports;
+        progress_->report({"refinement", restricted_.vertex_count(), bad_facets_.size()});
+        if (progress_->stop_requested())
+            status_ = MeshingStatus::kInterrupted;
+    }
+    return status_ == MeshingStatus::kDone;
+}
+
+} // namespace voroprobe

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "mesher/bad_facet_queue.h"
+#include "mesher/criteria.h"
+#include "mesher/restricted_delaunay.h"
+#include "mesher/seeded_mesher.h"
+#include "support/progress.h"
+
+namespace voroprobe
+{
+
+//! Delaunay refinement: inserts the centers of the surface Delaunay balls of bad facets until there is none.
+//! This follows: Boissonnat & Oudot, Provably good sampling and meshing of surfaces, 2005, with the manifold
+//! criterion of CGAL's Surface_mesher, both down to a floor radius.
+class Refinement
+{
+public:
+    //! All arguments but `options` must outlive the object; `progress` may be null.
+    Refinement(RestrictedDelaunay& restricted, const MeshingOptions& options, MeshingStatistics& statistics,
+               ProgressSink* progress);
+
+    //! Inserts a point and judges the facets that changed. As RestrictedDelaunay::insert.
+    VertexHandle insert(const Point3& p, DelaunayCell start, VertexOrigin origin, VertexHandle hint = {});
+
+    //! Until no facet is bad and every vertex that can have an umbrella has one; stops early when asked to.
+    void refine();
+
+    //! A vertex that is on no facet of the mesh; nullopt when there is none left to initialize. Call after
+    //! refine().
+    std::optional<VertexHandle> take_isolated_vertex();
+
+    //! How refinement has ended so far: kDone unless it was stopped.
+    [[nodiscard]] MeshingStatus status() const { return status_; }
+
+private:
+    bool may_go_on();
+    bool refine_facet(FacetId id);
+    void refine_around(VertexHandle vertex);
+    std::optional<FacetId> largest_facet_above_floor() const;
+
+    RestrictedDelaunay& restricted_;
+    MeshingStatistics& statistics_;
+    ProgressSink* progress_;
+    FacetCriteria criteria_;
+    std::size_t max_vertices_;
+    std::size_t next_report_ = 0; //!< insertions
+    BadFacetQueue bad_facets_;
+    std::vector<VertexHandle> isolated_vertices_;
+    std::vector<FacetId> umbrella_; //!< scratch
+    MeshingStatus status_ = MeshingStatus::kDone;
+};
+
+} // namespace voroprobe

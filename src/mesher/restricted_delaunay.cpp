@@ -1,0 +1,300 @@
+#include "mesher/restricted_delaunay.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "mesher/circumcenter.h"
+#include "support/check.h"
+
+namespace voroprobe
+{
+namespace
+{
+
+// Sentinels stand this many domain diagonals away. Any factor above 2 keeps their Voronoi cells out of the
+// domain as soon as it holds one point; a little more keeps their Delaunay cells well shaped.
+constexpr double kSentinelDistance = 8.0;
+
+std::uint8_t capped_count(std::size_t count)
+{
+    return static_cast<std::uint8_t>(count <= 255 ? count : 254 + (count & 1U));
+}
+
+} // namespace
+
+RestrictedDelaunay::RestrictedDelaunay(const SurfaceOracle& oracle, MeshingStatistics& statistics)
+    : oracle_(oracle), statistics_(statistics)
+{
+    insert_sentinels();
+}
+
+// Four far points make the triangulation three-dimensional from the start and every dual edge that meets the
+// domain bounded.
+void RestrictedDelaunay::insert_sentinels()
+{
+    const Box3 domain = oracle_.domain();
+    const Point3 center = domain.center();
+    const double far = kSentinelDistance * domain.diagonal();
+    for (const Vec3& direction : {Vec3{1, 1, 1}, Vec3{1, -1, -1}, Vec3{-1, 1, -1}, Vec3{-1, -1, 1}})
+    {
+        const VertexHandle vertex = triangulation_.insert(cgal_point(center + far * direction));
+        vertex->info().index = static_cast<std::uint32_t>(triangulation_.number_of_vertices() - 1);
+        vertex->info().origin = VertexOrigin::kSentinel;
+    }
+    for (const DelaunayCell delaunay_cell : triangulation_.finite_cell_handles())
+    {
+        set_dual_vertex(delaunay_cell);
+        delaunay_cell->info().facet.fill(kNoFacet); // their dual edges lie beyond the domain
+    }
+}
+
+VertexHandle RestrictedDelaunay::insert(const Point3& p, DelaunayCell start, VertexOrigin origin,
+                                        VertexHandle hint)
+{
+    changed_facets_.clear();
+    if (start == DelaunayCell())
+        start = locate_conflict(p, hint);
+    if (start == DelaunayCell())
+        return {};
+
+    zone_cells_.clear();
+    zone_boundary_.clear();
+    zone_interior_.clear();
+    triangulation_.find_conflicts(cgal_point(p), start, std::back_inserter(zone_boundary_),
+                                  std::back_inserter(zone_cells_), std::back_inserter(zone_interior_));
+    forget_zone();
+    const auto& [begin_cell, begin_index] = zone_boundary_.front();
+    const VertexHandle vertex = triangulation_.insert_in_hole(cgal_point(p), zone_cells_.begin(),
+                                                              zone_cells_.end(), begin_cell, begin_index);
+    vertex->info().index = static_cast<std::uint32_t>(triangulation_.number_of_vertices() - 1);
+    vertex->info().origin = origin;
+    ++statistics_.insertions;
+
+    // Every boundary facet of the zone now has one new cell on its inner side.
+    star_.clear();
+    for (const ZoneBoundaryFacet& boundary : boundary_)
+    {
+        star_.push_back(boundary.outer->neighbor(boundary.outer_index));
+        set_dual_vertex(star_.back());
+    }
+    for (const ZoneBoundaryFacet& boundary : boundary_)
+        carry_over(boundary, p);
+    for (const DelaunayCell delaunay_cell : star_)
+    {
+        for (int i = 0; i < 4; ++i)
+        {
+            if (delaunay_cell->info().facet[static_cast<std::size_t>(i)] == kUnqueriedFacet)
+                query_dual_edge(delaunay_cell, i, kNoFacet);
+        }
+    }
+    if (!vertex->info().umbrella_unchecked)
+    {
+        vertex->info().umbrella_unchecked = true;
+        unchecked_vertices_.push_back(vertex);
+    }
+    return vertex;
+}
+
+DelaunayCell RestrictedDelaunay::locate_conflict(const Point3& p, VertexHandle hint) const
+{
+    Triangulation::Locate_type type;
+    int i = 0;
+    int j = 0;
+    const DelaunayCell near = hint == VertexHandle() ? DelaunayCell() : hint->cell();
+    const DelaunayCell found = triangulation_.locate(cgal_point(p), type, i, j, near);
+    return type == Triangulation::VERTEX ? DelaunayCell() : found;
+}
+
+// Before the zone is retriangulated: facets inside it vanish, those on its boundary are remembered from the
+// outer side.
+void RestrictedDelaunay::forget_zone()
+{
+    for (const auto& [delaunay_cell, index] : zone_interior_)
+    {
+        const FacetId id = delaunay_cell->info().facet[static_cast<std::size_t>(index)];
+        if (id != kNoFacet)
+            release_facet(id);
+    }
+    boundary_.clear();
+    for (const auto& [delaunay_cell, index] : zone_boundary_)
+    {
+        const ZoneBoundaryFacet boundary{delaunay_cell->neighbor(index),
+                                         triangulation_.mirror_index(delaunay_cell, index),
+                                         delaunay_cell->info().facet[static_cast<std::size_t>(index)]};
+        if (boundary.facet != kNoFacet)
+        {
+            facets_[boundary.facet].delaunay_cell = boundary.outer;
+            facets_[boundary.facet].index = static_cast<std::uint8_t>(boundary.outer_index);
+        }
+        boundary_.push_back(boundary);
+    }
+}
+
+void RestrictedDelaunay::set_dual_vertex(DelaunayCell delaunay_cell)
+{
+    DelaunayCellData& data = delaunay_cell->info();
+    data = DelaunayCellData{};
+    data.facet.fill(kUnqueriedFacet);
+    if (triangulation_.is_infinite(delaunay_cell))
+        return;
+    data.circumcenter =
+        circumcenter({position(delaunay_cell->vertex(0)), position(delaunay_cell->vertex(1)),
+                      position(delaunay_cell->vertex(2)), position(delaunay_cell->vertex(3))});
+    data.region = oracle_.region(data.circumcenter);
+    ++statistics_.region_lookups;
+}
+
+// A facet on the boundary of the zone keeps what was known of it where that still holds.
+void RestrictedDelaunay::carry_over(const ZoneBoundaryFacet& boundary, const Point3& inserted)
+{
+    const DelaunayCell inner = boundary.outer->neighbor(boundary.outer_index);
+    const int inner_index = triangulation_.mirror_index(boundary.outer, boundary.outer_index);
+    FacetId& inner_facet = inner->info().facet[static_cast<std::size_t>(inner_index)];
+    const bool odd = is_inside(boundary.outer->info().region) != is_inside(inner->info().region);
+    if (boundary.facet == kNoFacet && !odd)
+    {
+        inner_facet = kNoFacet;
+        return;
+    }
+    if (boundary.facet != kNoFacet && odd)
+    {
+        const RestrictedFacet& known = facets_[boundary.facet];
+        const bool center_stays = squared_distance(known.center, inserted) >= known.squared_radius;
+        if (known.crossing_count == 1 && center_stays)
+        {
+            inner_facet = boundary.facet;
+            return;
+        }
+    }
+    // A known facet changed, or rounding moved a Voronoi vertex across the surface.
+    query_dual_edge(boundary.outer, boundary.outer_index, boundary.facet);
+}
+
+// Asks the oracle where the dual edge of a facet crosses the surface, and keeps the answer on both sides of
+// the facet. Of several crossings the one with the largest ball becomes the center: it is the farthest from
+// what is resolved already.
+void RestrictedDelaunay::query_dual_edge(DelaunayCell delaunay_cell, int index, FacetId reuse)
+{
+    const DelaunayCell neighbor = delaunay_cell->neighbor(index);
+    crossings_.clear();
+    if (!triangulation_.is_infinite(delaunay_cell) && !triangulation_.is_infinite(neighbor))
+    {
+        oracle_.find_crossings({delaunay_cell->info().circumcenter, neighbor->info().circumcenter},
+                               crossings_);
+        ++statistics_.queries_refinement;
+    }
+    if (reuse != kNoFacet)
+        release_facet(reuse);
+    const FacetId id = crossings_.empty() ? kNoFacet : allocate_facet();
+    const int mirror = triangulation_.mirror_index(delaunay_cell, index);
+    delaunay_cell->info().facet[static_cast<std::size_t>(index)] = id;
+    neighbor->info().facet[static_cast<std::size_t>(mirror)] = id;
+    if (id == kNoFacet)
+        return;
+
+    RestrictedFacet& facet = facets_[id];
+    facet.delaunay_cell = delaunay_cell;
+    facet.index = static_cast<std::uint8_t>(index);
+    facet.crossing_count = capped_count(crossings_.size());
+    facet.kept = false;
+    facet.squared_radius = -1.0;
+    const Point3 corner = position(delaunay_cell->vertex((index + 1) & 3));
+    for (const Crossing& crossing : crossings_)
+    {
+        const double squared_radius = squared_distance(crossing.point, corner);
+        if (squared_radius > facet.squared_radius)
+        {
+            facet.squared_radius = squared_radius;
+            facet.center = crossing.point;
+            facet.on_border = crossing.on_border;
+        }
+    }
+    mark_unchecked(facet);
+    changed_facets_.push_back(id);
+}
+
+void RestrictedDelaunay::mark_unchecked(const RestrictedFacet& facet)
+{
+    if (!facet.odd())
+        return;
+    for (int i = 0; i < 4; ++i)
+    {
+        const VertexHandle vertex = facet.delaunay_cell->vertex(i);
+        if (i == facet.index || vertex->info().umbrella_unchecked)
+            continue;
+        vertex->info().umbrella_unchecked = true;
+        unchecked_vertices_.push_back(vertex);
+    }
+}
+
+VertexHandle RestrictedDelaunay::take_unchecked_vertex()
+{
+    if (unchecked_vertices_.empty())
+        return {};
+    const VertexHandle vertex = unchecked_vertices_.back();
+    unchecked_vertices_.pop_back();
+    vertex->info().umbrella_unchecked = false;
+    return vertex;
+}
+
+void RestrictedDelaunay::odd_facets_around(VertexHandle vertex, std::vector<FacetId>& facets)
+{
+    facets.clear();
+    star_.clear();
+    triangulation_.incident_cells(vertex, std::back_inserter(star_));
+    for (const DelaunayCell delaunay_cell : star_)
+    {
+        for (int i = 0; i < 4; ++i)
+        {
+            const FacetId id = delaunay_cell->info().facet[static_cast<std::size_t>(i)];
+            if (id == kNoFacet || delaunay_cell->vertex(i) == vertex)
+                continue;
+            const RestrictedFacet& facet = facets_[id]; // seen from both of its cells, taken from one
+            if (facet.odd() && facet.delaunay_cell == delaunay_cell && facet.index == i)
+                facets.push_back(id);
+        }
+    }
+}
+
+DelaunayCell RestrictedDelaunay::conflicting_cell(const RestrictedFacet& facet) const
+{
+    const auto center = cgal_point(facet.center);
+    for (const DelaunayCell side : {facet.delaunay_cell, facet.delaunay_cell->neighbor(facet.index)})
+    {
+        if (triangulation_.side_of_sphere(side, center) == CGAL::ON_BOUNDED_SIDE)
+            return side;
+    }
+    return {};
+}
+
+std::array<Point3, 3> RestrictedDelaunay::corners(const RestrictedFacet& facet) const
+{
+    const int i = facet.index;
+    return {position(facet.delaunay_cell->vertex((i + 1) & 3)),
+            position(facet.delaunay_cell->vertex((i + 2) & 3)),
+            position(facet.delaunay_cell->vertex((i + 3) & 3))};
+}
+
+FacetId RestrictedDelaunay::allocate_facet()
+{
+    if (free_facets_.empty())
+    {
+        CHECK_LT(facets_.size(), static_cast<std::size_t>(kNoFacet));
+        facets_.emplace_back();
+        return static_cast<FacetId>(facets_.size() - 1);
+    }
+    const FacetId id = free_facets_.back();
+    free_facets_.pop_back();
+    return id;
+}
+
+void RestrictedDelaunay::release_facet(FacetId id)
+{
+    RestrictedFacet& facet = facets_[id];
+    mark_unchecked(facet);
+    facet.crossing_count = 0;
+    ++facet.generation;
+    free_facets_.push_back(id);
+}
+
+} // namespace voroprobe

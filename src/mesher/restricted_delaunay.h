@@ -1,0 +1,114 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "mesher/delaunay.h"
+#include "mesher/seeded_mesher.h"
+#include "oracles/surface_oracle.h"
+
+namespace voroprobe
+{
+
+//! A Delaunay facet whose dual Voronoi edge meets the surface.
+struct RestrictedFacet
+{
+    Point3 center;                //!< of the surface Delaunay ball: where the dual edge crosses the surface
+    double squared_radius = 0.0;  //!< of the surface Delaunay ball
+    DelaunayCell delaunay_cell{}; //!< the facet is the one opposite ...
+    std::uint8_t index = 0;       //!< ... this vertex of the Delaunay cell
+    std::uint8_t crossing_count =
+        0; //!< crossings of the dual edge, capped at 255 with the parity kept; 0: slot is free
+    bool on_border = false; //!< the crossing lies on a cap that closes the object at the domain's border
+    bool kept = false;      //!< breaks a criterion but is as small as the floor
+    std::uint32_t generation = 0; //!< changes whenever the slot is reused or the facet recomputed
+
+    //! Odd facets separate inside from outside: they are the mesh. Even ones are evidence of unresolved
+    //! surface.
+    [[nodiscard]] bool odd() const { return (crossing_count & 1U) != 0; }
+};
+
+//! The Delaunay triangulation of a growing point set restricted to the surface of an oracle.
+//!
+//! Every Delaunay cell knows its circumcenter and the region that holds it. A facet is odd exactly where the
+//! regions of its two cells differ in sign, so the odd facets bound the union of the inside cells: they are
+//! closed and orientable whatever rounding does to a circumcenter.
+//!
+//! An insertion queries the oracle for the facets incident to the new vertex only. A facet on the boundary of
+//! the conflict zone keeps its answer, for its dual edge only shrinks: "no crossing" stays true, and a single
+//! crossing stays the center while it is no nearer to the new point than to the facet's vertices.
+class RestrictedDelaunay
+{
+public:
+    //! `statistics` counts insertions, queries and look-ups; both arguments must outlive the object.
+    RestrictedDelaunay(const SurfaceOracle& oracle, MeshingStatistics& statistics);
+
+    //! Inserts a point of the surface. `start`: a Delaunay cell in conflict with it, or a null handle to have
+    //! it located from `hint`. Returns a null handle, and changes nothing, where the point coincides with a
+    //! vertex.
+    VertexHandle insert(const Point3& p, DelaunayCell start, VertexOrigin origin, VertexHandle hint = {});
+
+    //! The facets that the last insertion created or changed.
+    [[nodiscard]] const std::vector<FacetId>& changed_facets() const { return changed_facets_; }
+
+    //! Takes a vertex whose restricted facets changed since it was last taken; a null handle when there is
+    //! none.
+    VertexHandle take_unchecked_vertex();
+
+    //! The odd facets incident to a vertex, into `facets` (cleared first).
+    void odd_facets_around(VertexHandle vertex, std::vector<FacetId>& facets);
+
+    //! One of the two Delaunay cells of the facet that is in conflict with its center; null where rounding
+    //! hides both.
+    [[nodiscard]] DelaunayCell conflicting_cell(const RestrictedFacet& facet) const;
+
+    [[nodiscard]] const RestrictedFacet& facet(FacetId id) const { return facets_[id]; }
+    RestrictedFacet& facet(FacetId id) { return facets_[id]; }
+    [[nodiscard]] std::array<Point3, 3> corners(const RestrictedFacet& facet) const;
+
+    [[nodiscard]] const Triangulation& triangulation() const { return triangulation_; }
+    [[nodiscard]] const SurfaceOracle& oracle() const { return oracle_; }
+    [[nodiscard]] std::size_t vertex_count() const
+    {
+        return triangulation_.number_of_vertices() - kSentinelCount;
+    }
+
+private:
+    static constexpr std::size_t kSentinelCount = 4;
+
+    //! A facet between the conflict zone and the Delaunay cells that stay.
+    struct ZoneBoundaryFacet
+    {
+        DelaunayCell outer; //!< the cell that stays
+        int outer_index;
+        FacetId facet;
+    };
+
+    void insert_sentinels();
+    DelaunayCell locate_conflict(const Point3& p, VertexHandle hint) const;
+    void forget_zone();
+    void set_dual_vertex(DelaunayCell delaunay_cell);
+    void carry_over(const ZoneBoundaryFacet& boundary, const Point3& inserted);
+    void query_dual_edge(DelaunayCell delaunay_cell, int index, FacetId reuse);
+    void mark_unchecked(const RestrictedFacet& facet);
+    FacetId allocate_facet();
+    void release_facet(FacetId id);
+
+    const SurfaceOracle& oracle_;
+    MeshingStatistics& statistics_;
+    Triangulation triangulation_;
+    std::vector<RestrictedFacet> facets_;
+    std::vector<FacetId> free_facets_;
+    std::vector<FacetId> changed_facets_;
+    std::vector<VertexHandle> unchecked_vertices_;
+
+    // Scratch of one insertion, kept to avoid allocation.
+    std::vector<DelaunayCell> zone_cells_;
+    std::vector<Triangulation::Facet> zone_boundary_;
+    std::vector<Triangulation::Facet> zone_interior_;
+    std::vector<ZoneBoundaryFacet> boundary_;
+    std::vector<Crossing> crossings_;
+    std::vector<DelaunayCell> star_;
+};
+
+} // namespace voroprobe
