@@ -1,1 +1,97 @@
-int main() { return 0; }
+// The program: reads the command line, runs a command, and turns whatever went wrong into one line and an
+// exit status.
+
+#include <algorithm>
+#include <iostream>
+#include <new>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/info_command.h"
+#include "cli/interrupt.h"
+#include "cli/mesh_command.h"
+#include "support/error.h"
+
+namespace
+{
+
+using voroprobe::ExitStatus;
+
+int fail(ExitStatus status, std::string message)
+{
+    std::replace(message.begin(), message.end(), '\n', ' ');
+    std::cerr << "voroprobe: error: " + message + '\n';
+    return static_cast<int>(status);
+}
+
+//! Help and version are printed; everything else CLI11 refuses is wrong usage.
+int conclude_parsing(const CLI::App& app, const CLI::ParseError& error)
+{
+    constexpr int kSuccess = static_cast<int>(CLI::ExitCodes::Success);
+    if (error.get_exit_code() == kSuccess)
+        return app.exit(error);
+    return fail(ExitStatus::kUsage, std::string(error.what()) + " (see voroprobe --help)");
+}
+
+//! \throw voroprobe::Error and whatever the libraries throw.
+int run(int argc, const char* const* argv)
+{
+    CLI::App app("Closed, well-shaped meshes of 3D scans by self-seeding Delaunay refinement.", "voroprobe");
+    app.set_version_flag("--version", "voroprobe " VOROPROBE_VERSION, "Print the version and exit");
+    app.require_subcommand(1);
+    app.footer(
+        "Exit status: 0 done, 1 internal error or output not writable, 2 usage, 3 input, 4 empty surface,\n"
+        "5 mesh not as promised, 6 out of memory or budget, 130 interrupted.");
+
+    voroprobe::MeshArguments mesh_arguments;
+    CLI::App& mesh = *app.add_subcommand("mesh", "Mesh the surface of a volume at an isovalue");
+    voroprobe::add_mesh_arguments(mesh, mesh_arguments);
+    voroprobe::InfoArguments info_arguments;
+    CLI::App& info = *app.add_subcommand("info", "Tell what a volume holds and which isovalues suit it");
+    voroprobe::add_info_arguments(info, info_arguments);
+
+    try
+    {
+        app.parse(argc, argv);
+    }
+    catch (const CLI::ParseError& error)
+    {
+        return conclude_parsing(app, error);
+    }
+    if (mesh.parsed())
+        voroprobe::run_mesh_command(mesh_arguments);
+    if (info.parsed())
+        voroprobe::run_info_command(info_arguments);
+    return static_cast<int>(ExitStatus::kDone);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    try
+    {
+        voroprobe::install_interrupt_handlers();
+        const int status = run(argc, argv);
+        if (!std::cout.flush())
+            return fail(ExitStatus::kInternal, "cannot write to standard output");
+        return status;
+    }
+    catch (const voroprobe::Error& error)
+    {
+        return fail(error.status(), error.what());
+    }
+    catch (const std::bad_alloc&)
+    {
+        return fail(ExitStatus::kBudget, "out of memory");
+    }
+    catch (const std::exception& error)
+    {
+        return fail(ExitStatus::kInternal, error.what());
+    }
+    catch (...)
+    {
+        return fail(ExitStatus::kInternal, "unknown exception");
+    }
+}

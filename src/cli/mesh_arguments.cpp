@@ -1,0 +1,150 @@
+#include "cli/mesh_arguments.h"
+
+#include <functional>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/option_values.h"
+#include "cli/read_arguments.h"
+
+namespace voroprobe
+{
+
+namespace
+{
+
+//! One group of the help; every option checks its own text and names itself where it refuses it.
+class OptionGroup
+{
+public:
+    OptionGroup(CLI::App& command, std::string name) : command_(command), name_(std::move(name)) {}
+
+    CLI::Option* text(const std::string& flag, const std::string& type, const std::string& help,
+                      const std::function<void(const std::string&)>& take)
+    {
+        return command_.add_option_function<std::string>(flag, take, help)->type_name(type)->group(name_);
+    }
+
+    void number(const std::string& flag, const std::string& type, std::optional<double>& value,
+                const NumberRule& rule, const std::string& help)
+    {
+        text(flag, type, help,
+             [flag, &value, &rule](const std::string& given) { value = parse_number(flag, given, rule); });
+    }
+
+    template <typename Target, typename Value>
+    void choice(const std::string& flag, Target& target, const Words<Value>& words, const std::string& help)
+    {
+        text(flag, joined_words(words), help,
+             [flag, &target, words](const std::string& given) { target = parse_word(flag, given, words); });
+    }
+
+private:
+    CLI::App& command_;
+    std::string name_;
+};
+
+void add_surface_options(CLI::App& command, MeshArguments& arguments)
+{
+    OptionGroup group(command, "Surface");
+    group.text("--isovalue", "V|auto", "Value of the samples at the surface (default auto: Otsu's threshold)",
+               [&arguments](const std::string& given)
+               {
+                   if (given != "auto")
+                       arguments.isovalue =
+                           parse_number("--isovalue", given, {kAnyFinite.allows, "a finite number, or auto"});
+               });
+    group.choice("--inside", arguments.inside,
+                 Words<std::optional<InsideIs>>{
+                     {"auto", std::nullopt}, {"above", InsideIs::kAbove}, {"below", InsideIs::kBelow}},
+                 "Side of the isovalue the object lies on (default auto: below for\nlevel sets in .vdb "
+                 "files, above otherwise)");
+    group.choice(
+        "--border", arguments.border,
+        Words<BorderFaces>{{"closed", BorderFaces::kClosed}, {"open", BorderFaces::kOpen}},
+        "Where the object leaves the volume: close it there, or leave\nthose faces out (default closed)");
+}
+
+void add_criteria(CLI::App& command, MeshArguments& arguments)
+{
+    OptionGroup group(command,
+                      "Criteria (v: shortest side of a voxel; m: side of the cube of a voxel's volume)");
+    RequestedCriteria& criteria = arguments.criteria;
+    group.number("--size", "MM", criteria.size, kLength, "Largest radius of a face's ball, mm (default 2 m)");
+    group.text("--angle", "DEG", "Smallest angle of a face, degrees, 0 to 30 (default 30)",
+               [&criteria](const std::string& given)
+               { criteria.angle_deg = parse_number("--angle", given, kFacetAngle); });
+    group.number("--distance", "MM", criteria.distance, kLength,
+                 "Largest distance from a face's circumcenter to the surface, mm\n(default 0.3 v)");
+    group.number("--floor", "MM", criteria.floor, kLength,
+                 "Balls this small are refined no further, mm (default 0.25 v, at\nmost half of --size)");
+    group.number(
+        "--reach", "MM", criteria.reach, kLength,
+        "What is thinner or closer than this may be missed; sets the\nspacing of probes, mm (default 1 v)");
+    group.choice("--isolated", arguments.isolated_vertices,
+                 Words<IsolatedVertices>{{"one", IsolatedVertices::kOneAtATime},
+                                         {"all", IsolatedVertices::kAllAtOnce}},
+                 "Isolated vertices to begin new surfaces at before each\nrefinement: one is leaner, all is "
+                 "quicker (default all)");
+    group.text("--max-vertices", "N", "Stop there, write what there is and exit with 6 (default: no bound)",
+               [&arguments](const std::string& given)
+               { arguments.max_vertices = parse_count("--max-vertices", given, 1); });
+}
+
+void add_output_options(CLI::App& command, MeshArguments& arguments)
+{
+    OptionGroup group(command, "Output");
+    group
+        .text("-o,--output", "FILE", "Mesh to write: .stl .ply .obj .off .vtp",
+              [&arguments](const std::string& given) { arguments.output = given; })
+        ->required();
+    group.text("--format", "NAME", "stl, stl-ascii, ply, obj, off or vtp (default: by the extension)",
+               [&arguments](const std::string& given) { arguments.format = given; });
+    group.choice("--frame-of-reference", arguments.frame,
+                 Words<OutputFrame>{
+                     {"lps", OutputFrame::kLps}, {"ras", OutputFrame::kRas}, {"index", OutputFrame::kIndex}},
+                 "Coordinates: lps or ras in mm, or voxels of the file (default lps)");
+    group.text("--summary", "FILE.json", "Write what was done and found as JSON",
+               [&arguments](const std::string& given) { arguments.summary = given; });
+}
+
+void add_run_options(CLI::App& command, MeshArguments& arguments)
+{
+    OptionGroup group(command, "Run");
+    group.choice("--progress", arguments.progress,
+                 Words<ProgressMode>{{"auto", ProgressMode::kAuto},
+                                     {"bar", ProgressMode::kBar},
+                                     {"json", ProgressMode::kJson},
+                                     {"none", ProgressMode::kNone}},
+                 "How to show progress on stderr (default auto: a bar on a terminal)");
+    group.text("--seed", "N",
+               "Accepted for scripts; nothing is random in this version and\nevery seed gives the same bytes "
+               "(default 0)",
+               [&arguments](const std::string& given) { arguments.seed = parse_count("--seed", given, 0); });
+    group.text("--threads", "N",
+               "Accepted for scripts; this version refines on one thread, and\nevery number gives the same "
+               "bytes (default 1)",
+               [&arguments](const std::string& given)
+               { arguments.threads = parse_count("--threads", given, 1); });
+    command
+        .add_flag("-q,--quiet", arguments.quiet, "No report on stdout and no automatic bar; warnings stay")
+        ->group("Run");
+}
+
+} // namespace
+
+void add_mesh_arguments(CLI::App& command, MeshArguments& arguments)
+{
+    command
+        .add_option("INPUT", arguments.input,
+                    "Volume: a file, or a folder with a DICOM series or TIFF slices")
+        ->required()
+        ->type_name("");
+    add_surface_options(command, arguments);
+    add_criteria(command, arguments);
+    add_output_options(command, arguments);
+    add_read_options(command, arguments.read);
+    add_run_options(command, arguments);
+}
+
+} // namespace voroprobe

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "cli/console_progress.h"
+#include "cli/mesh_defaults.h"
+#include "cli/output_frame.h"
+#include "io/volume_reader.h"
+#include "mesher/meshing_options.h"
+#include "oracles/trilinear_oracle.h"
+
+namespace CLI
+{
+class App;
+}
+
+namespace voroprobe
+{
+
+//! What becomes of the object where it leaves the volume.
+enum class BorderFaces
+{
+    kClosed, //!< faces close it there: the outside of the volume is outside the object
+    kOpen    //!< those faces are left out: the mesh has a boundary there
+};
+
+//! Everything the user can say to `voroprobe mesh`.
+struct MeshArguments
+{
+    std::filesystem::path input;
+    std::filesystem::path output;
+    ReadOptions read;
+
+    std::optional<double> isovalue = std::nullopt; //!< unset: automatic
+    std::optional<InsideIs> inside = std::nullopt; //!< unset: by the kind of file
+    BorderFaces border = BorderFaces::kClosed;
+
+    RequestedCriteria criteria;
+    IsolatedVertices isolated_vertices = IsolatedVertices::kAllAtOnce;
+    std::optional<std::size_t> max_vertices = std::nullopt;
+
+    OutputFrame frame = OutputFrame::kLps;
+    std::optional<std::string> format = std::nullopt; //!< unset: by the extension of `output`
+    std::optional<std::filesystem::path> summary = std::nullopt;
+
+    std::size_t seed = 0;    //!< nothing in the pipeline is random: every seed gives the same bytes
+    std::size_t threads = 1; //!< refinement runs on one: every number gives the same bytes
+    ProgressMode progress = ProgressMode::kAuto;
+    bool quiet = false; //!< nothing on stdout, no automatic bar
+};
+
+//! Declares the command's options; `arguments` must outlive the parsing and holds the values after it.
+void add_mesh_arguments(CLI::App& command, MeshArguments& arguments);
+
+} // namespace voroprobe

@@ -1,0 +1,35 @@
+#include "cli/mesh_run.h"
+
+#include "cli/number_text.h"
+
+namespace voroprobe
+{
+
+namespace
+{
+
+void complain(std::string& complaints, std::size_t count, const std::string& what)
+{
+    if (count > 0)
+        complaints += (complaints.empty() ? "" : ", ") + count_text(count) + ' ' + what;
+}
+
+} // namespace
+
+std::optional<std::string> broken_promise(const MeshFacts& facts, BorderFaces border)
+{
+    const MeshTopology& topology = facts.topology;
+    std::string complaints;
+    complain(complaints, border == BorderFaces::kClosed ? topology.boundary_edges : 0,
+             "edges on one face only");
+    complain(complaints, topology.non_manifold_edges, "edges on more than two faces");
+    complain(complaints, topology.non_manifold_vertices, "vertices whose faces are not one fan");
+    complain(complaints, topology.misoriented_edges, "edges whose faces wind against each other");
+    complain(complaints, topology.degenerate_faces, "faces without area");
+    complain(complaints, topology.unused_vertices, "vertices on no face");
+    if (complaints.empty() && topology.closed() && facts.volume_mm3 <= 0.0)
+        complaints = "faces that wind inward";
+    return complaints.empty() ? std::nullopt : std::optional(complaints);
+}
+
+} // namespace voroprobe

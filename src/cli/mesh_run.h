@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/mesh_arguments.h"
+#include "cli/mesh_facts.h"
+#include "cli/surface_input.h"
+#include "mesher/seeded_mesher.h"
+
+namespace voroprobe
+{
+
+//! How a run that wrote a mesh ended.
+enum class RunStatus
+{
+    kDone,
+    kPartial,   //!< the budget of vertices was spent
+    kIncomplete //!< the mesh is not what was promised
+};
+
+//! Wall clock, seconds.
+struct RunTimings
+{
+    double read = 0.0; //!< input, statistics and oracle
+    double refinement = 0.0;
+    double write = 0.0; //!< checks and output
+    double total = 0.0;
+};
+
+//! Everything the report and the summary tell of one run of `voroprobe mesh`.
+struct MeshRun
+{
+    MeshArguments arguments;
+    SurfaceInput input;
+    MeshingOptions options;
+    MeshingStatistics statistics;
+    MeshFacts facts;
+    Box3 output_box; //!< in the frame of the output
+    RunTimings timings;
+    RunStatus status = RunStatus::kDone;
+};
+
+//! What is wrong with the topology of the mesh, in one line; nullopt where it is as promised.
+std::optional<std::string> broken_promise(const MeshFacts& facts, BorderFaces border);
+
+} // namespace voroprobe

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "geometry/vec3.h"
+
+namespace voroprobe
+{
+
+//! A number for people: six significant digits, no trailing zeros ("0.375", "1150.5", "3.2e+07").
+std::string number_text(double value);
+
+//! A count with thousands marked: "1,234,567".
+std::string count_text(std::size_t count);
+
+//! Three numbers with a word between: "3.2 x 3.2 x 1.5".
+std::string triple_text(const Vec3& values, const std::string& separator = " x ");
+
+//! Seconds with two decimals and the unit: "1.25 s".
+std::string seconds_text(double seconds);
+
+//! Bytes in the largest unit that leaves at least one whole: "118 MB" (powers of 1000).
+std::string bytes_text(std::size_t bytes);
+
+} // namespace voroprobe

@@ -1,0 +1,156 @@
+#include "cli/summary.h"
+
+#include <fstream>
+#include <string_view>
+#include <system_error>
+
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "support/error.h"
+#include "support/memory.h"
+
+namespace voroprobe
+{
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Vec3& v)
+{
+    return Json::array({v.x, v.y, v.z});
+}
+
+std::string_view status_name(RunStatus status)
+{
+    switch (status)
+    {
+    case RunStatus::kDone:
+        return "done";
+    case RunStatus::kPartial:
+        return "partial";
+    case RunStatus::kIncomplete:
+        return "incomplete";
+    }
+    return {};
+}
+
+Json input_json(const MeshRun& run)
+{
+    return {{"path", run.arguments.input.string()},
+            {"format", run.input.format},
+            {"size", run.input.lattice.size},
+            {"spacing", json_of(run.input.lattice.spacing)},
+            {"type", run.input.stored_type},
+            {"min", run.input.min},
+            {"max", run.input.max},
+            {"warnings", run.input.warnings}};
+}
+
+Json parameters_json(const MeshRun& run)
+{
+    const MeshingOptions& options = run.options;
+    const bool one_at_a_time = options.isolated_vertices == IsolatedVertices::kOneAtATime;
+    return {{"isovalue", run.input.isovalue.value},
+            {"isovalue_source", run.input.isovalue.source},
+            {"inside", run.input.inside == InsideIs::kAbove ? "above" : "below"},
+            {"border", options.close_border ? "closed" : "open"},
+            {"size_mm", options.max_facet_radius},
+            {"angle_deg", options.min_facet_angle_deg},
+            {"distance_mm", options.max_facet_distance.value()},
+            {"floor_mm", options.floor_radius},
+            {"reach_mm", options.reach_lower_bound},
+            {"isolated", one_at_a_time ? "one" : "all"},
+            {"max_vertices", options.max_vertices ? Json(*options.max_vertices) : Json(nullptr)},
+            {"frame_of_reference", frame_name(run.arguments.frame)},
+            {"seed", run.arguments.seed},
+            {"threads", run.arguments.threads}};
+}
+
+Json mesh_json(const MeshRun& run)
+{
+    const MeshFacts& facts = run.facts;
+    return {{"path", run.arguments.output.string()},
+            {"vertices", facts.vertices},
+            {"faces", facts.faces},
+            {"components", facts.topology.components},
+            {"closed", facts.topology.closed()},
+            {"manifold", facts.topology.manifold()},
+            {"oriented", facts.topology.oriented()},
+            {"euler_characteristic", facts.topology.euler_characteristic},
+            {"area_mm2", facts.area_mm2},
+            {"volume_mm3", facts.volume_mm3},
+            {"min_angle_deg", facts.angles.min_deg},
+            {"mean_min_angle_deg", facts.angles.mean_min_deg},
+            {"max_angle_deg", facts.angles.max_deg},
+            {"faces_below_angle_bound", facts.faces_below_angle_bound},
+            {"box", {{"min", json_of(run.output_box.min)}, {"max", json_of(run.output_box.max)}}}};
+}
+
+Json seeding_json(const MeshingStatistics& statistics)
+{
+    return {{"by_initialization", statistics.components_by_initialization},
+            {"by_isolated_vertex", statistics.components_by_isolated_vertex},
+            {"by_probing", statistics.components_by_probing},
+            {"by_refinement", statistics.components_by_refinement},
+            {"isolated_vertices_abandoned", statistics.isolated_vertices_abandoned}};
+}
+
+Json work_json(const MeshingStatistics& statistics)
+{
+    return {{"insertions", statistics.insertions},
+            {"stale_queue_entries", statistics.stale_queue_entries},
+            {"facets_at_floor", statistics.facets_at_floor},
+            {"vertices_split", statistics.vertices_split}};
+}
+
+} // namespace
+
+std::string summary_json(const MeshRun& run)
+{
+    const MeshingStatistics& statistics = run.statistics;
+    const Json summary{{"version", VOROPROBE_VERSION},
+                       {"status", status_name(run.status)},
+                       {"input", input_json(run)},
+                       {"parameters", parameters_json(run)},
+                       {"mesh", mesh_json(run)},
+                       {"seeding", seeding_json(statistics)},
+                       {"oracle_queries",
+                        {{"refinement", statistics.queries_refinement},
+                         {"initialization", statistics.queries_initialization},
+                         {"probing", statistics.queries_probing},
+                         {"region_lookups", statistics.region_lookups}}},
+                       {"work", work_json(statistics)},
+                       {"timings_s",
+                        {{"read", run.timings.read},
+                         {"refinement", run.timings.refinement},
+                         {"write", run.timings.write},
+                         {"total", run.timings.total}}},
+                       {"peak_memory_bytes", peak_memory_bytes()}};
+    return summary.dump(2) + '\n';
+}
+
+void write_text(const std::filesystem::path& path, const std::string& text)
+{
+    std::filesystem::path temporary = path;
+    temporary += ".tmp" + std::to_string(getpid());
+    std::ofstream file(temporary, std::ios::binary);
+    file << text << std::flush;
+    const bool written = file.good();
+    file.close();
+
+    std::error_code error;
+    if (written)
+        std::filesystem::rename(temporary, path, error);
+    if (!written || error)
+    {
+        std::error_code ignored;
+        std::filesystem::remove(temporary, ignored);
+        throw OutputError("cannot write " + path.string() + ": " +
+                          (error ? error.message() : "disk full or not writable"));
+    }
+}
+
+} // namespace voroprobe

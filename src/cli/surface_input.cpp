@@ -1,0 +1,124 @@
+#include "cli/surface_input.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "cli/number_text.h"
+#include "oracles/vdb_oracle.h"
+#include "support/error.h"
+
+namespace voroprobe
+{
+
+namespace
+{
+
+//! Scans show their object inside, so most of their border is outside.
+constexpr double kSuspiciousBorderShare = 0.5;
+
+std::string mistaken_sides_warning(double share, InsideIs inside)
+{
+    const std::string other = inside == InsideIs::kAbove ? "below" : "above";
+    return number_text(std::round(1000.0 * share) / 10.0) +
+           " % of the samples on the border of the volume are inside the object; if it is what lies " +
+           other + " the isovalue, give --inside " + other;
+}
+
+SurfaceInput load_volume_surface(const SurfaceRequest& request)
+{
+    ReadVolume read = read_volume(request.path, request.read);
+    const auto volume = std::make_shared<const Volume>(std::move(read.volume));
+    const VolumeStatistics statistics = compute_statistics(*volume);
+    const InsideIs inside = request.inside.value_or(InsideIs::kAbove);
+
+    const GridPlacement placement{volume->geometry.world_from_grid, volume->geometry.source_index_from_grid};
+    SurfaceInput input{.oracle = nullptr,
+                       .placement = placement,
+                       .lattice = file_lattice(volume->geometry.size, placement),
+                       .format = std::move(read.format),
+                       .stored_type = std::move(read.stored_type),
+                       .min = statistics.min,
+                       .max = statistics.max,
+                       .isovalue = choose_isovalue(request.isovalue, inside, *volume, statistics),
+                       .inside = inside,
+                       .warnings = std::move(read.warnings)};
+    for (std::string& warning : non_finite_warnings(statistics))
+        input.warnings.push_back(std::move(warning));
+    const double border_share = border_share_inside(*volume, input.isovalue.value, inside);
+    if (border_share > kSuspiciousBorderShare)
+        input.warnings.push_back(mistaken_sides_warning(border_share, inside));
+    input.oracle = make_trilinear_oracle(volume, input.isovalue.value, inside);
+    return input;
+}
+
+void check_vdb_isovalue(const VdbSurface& surface)
+{
+    if (separates(surface.isovalue, surface.inside, surface.min, surface.max))
+        return;
+    const double working = surface.inside == InsideIs::kBelow && surface.min < 0.0 && surface.max > 0.0
+                               ? 0.0
+                               : 0.5 * (surface.min + surface.max);
+    throw EmptySurfaceError("no surface at isovalue " + number_text(surface.isovalue) +
+                            ": the active voxels range from " + number_text(surface.min) + " to " +
+                            number_text(surface.max) +
+                            (surface.min < surface.max ? "; try --isovalue " + number_text(working) : ""));
+}
+
+SurfaceInput load_vdb_surface(const SurfaceRequest& request)
+{
+    VdbSurface surface = read_vdb_surface(
+        request.path, {.grid = request.read.grid, .isovalue = request.isovalue, .inside = request.inside});
+    check_vdb_isovalue(surface);
+    const GridPlacement placement{surface.world_from_grid, surface.source_index_from_grid};
+    return {.oracle = std::move(surface.oracle),
+            .placement = placement,
+            .lattice = file_lattice(surface.active_size, placement),
+            .format = "OpenVDB " + surface.grid_class,
+            .stored_type = std::move(surface.stored_type),
+            .min = surface.min,
+            .max = surface.max,
+            .isovalue = {surface.isovalue, request.isovalue ? "given" : "usual for a " + surface.grid_class},
+            .inside = surface.inside,
+            .warnings = std::move(surface.warnings)};
+}
+
+} // namespace
+
+bool is_vdb_path(const std::filesystem::path& path)
+{
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension == ".vdb";
+}
+
+void check_read_options(const std::filesystem::path& path, const ReadOptions& options)
+{
+    if (is_vdb_path(path))
+    {
+        if (options.spacing || options.frame || options.series)
+            throw UsageError(
+                "--spacing, --frame and --series do not go with a .vdb file: its grids carry their own "
+                "transform; choose one with --grid");
+    }
+    else if (options.grid)
+        throw UsageError("--grid is '" + *options.grid + "'; allowed: only with a .vdb file, " +
+                         path.string() + " is none");
+}
+
+std::vector<std::string> non_finite_warnings(const VolumeStatistics& statistics)
+{
+    if (statistics.nan_count + statistics.infinite_count == 0)
+        return {};
+    return {count_text(statistics.nan_count) + " NaN and " + count_text(statistics.infinite_count) +
+            " infinite samples count as outside the object"};
+}
+
+SurfaceInput load_surface(const SurfaceRequest& request)
+{
+    check_read_options(request.path, request.read);
+    return is_vdb_path(request.path) ? load_vdb_surface(request) : load_volume_surface(request);
+}
+
+} // namespace voroprobe
