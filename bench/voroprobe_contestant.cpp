@@ -1,0 +1,41 @@
+#include "bench/contestant.h"
+#include "mesher/seeded_mesher.h"
+#include "oracles/trilinear_oracle.h"
+
+namespace voroprobe::bench
+{
+
+namespace
+{
+
+class Voroprobe final : public Contestant
+{
+public:
+    explicit Voroprobe(const MeshingTask& task) : task_(task) {}
+
+    void mesh() override
+    {
+        const auto oracle = make_trilinear_oracle(task_.volume, task_.isovalue);
+        mesh_ = mesh_surface(*oracle, {.max_facet_radius = task_.max_facet_radius,
+                                       .max_facet_distance = task_.max_facet_distance,
+                                       .min_facet_angle_deg = task_.min_facet_angle_deg,
+                                       .floor_radius = task_.floor_radius,
+                                       .reach_lower_bound = task_.volume->geometry.min_spacing()})
+                    .mesh;
+    }
+
+    [[nodiscard]] TriangleMesh result() const override { return mesh_; }
+
+private:
+    MeshingTask task_;
+    TriangleMesh mesh_;
+};
+
+} // namespace
+
+std::unique_ptr<Contestant> make_voroprobe(const MeshingTask& task)
+{
+    return std::make_unique<Voroprobe>(task);
+}
+
+} // namespace voroprobe::bench
