@@ -1,1 +1,142 @@
 #include "io/mesh_writer.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <string_view>
+
+#include "io/atomic_file.h"
+#include "io/float_rounding.h"
+#include "io/mesh_openmesh.h"
+#include "io/mesh_vtk.h"
+#include "support/error.h"
+
+namespace voroprobe
+{
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+struct NamedFormat
+{
+    std::string_view name;
+    std::string_view extension; //!< empty: by name only
+    MeshFormat format;
+};
+
+constexpr std::array<NamedFormat, 6> kFormats{{{"stl", ".stl", MeshFormat::kStlBinary},
+                                               {"stl-ascii", "", MeshFormat::kStlAscii},
+                                               {"ply", ".ply", MeshFormat::kPly},
+                                               {"obj", ".obj", MeshFormat::kObj},
+                                               {"off", ".off", MeshFormat::kOff},
+                                               {"vtp", ".vtp", MeshFormat::kVtp}}};
+
+std::string lower_case(std::string text)
+{
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+    return text;
+}
+
+//! "stl, stl-ascii, ply, ..." or ".stl, .ply, ...".
+std::string list_of(std::string_view NamedFormat::*field)
+{
+    std::string list;
+    for (const NamedFormat& format : kFormats)
+        if (!(format.*field).empty())
+            list += (list.empty() ? "" : ", ") + std::string(format.*field);
+    return list;
+}
+
+const NamedFormat* find_format(std::string_view NamedFormat::*field, const std::string& value)
+{
+    const auto* found = std::find_if(kFormats.begin(), kFormats.end(),
+                                     [&](const NamedFormat& format) { return format.*field == value; });
+    return found == kFormats.end() || value.empty() ? nullptr : found;
+}
+
+[[noreturn]] void fail(const fs::path& path, const std::string& reason)
+{
+    throw OutputError("cannot write '" + path.string() + "': " + reason);
+}
+
+void check_mesh(const TriangleMesh& mesh, const fs::path& path)
+{
+    if (mesh.vertices.size() > std::numeric_limits<std::int32_t>::max() ||
+        mesh.faces.size() > std::numeric_limits<std::int32_t>::max())
+        fail(path, "the mesh has " + std::to_string(mesh.vertices.size()) + " vertices and " +
+                       std::to_string(mesh.faces.size()) +
+                       " faces; at most 2147483647 of each can be written");
+    if (!std::all_of(mesh.vertices.begin(), mesh.vertices.end(),
+                     [](const Point3& p) { return is_finite(p); }))
+        fail(path, "the mesh has a vertex with a coordinate that is not a finite number");
+    for (const TriangleMesh::Face& face : mesh.faces)
+        if (*std::max_element(face.begin(), face.end()) >= mesh.vertices.size())
+            fail(path, "the mesh has a face that names a vertex that does not exist");
+}
+
+//! Writes with OpenMesh to a stream that throws at the first write that fails.
+void write_stream(const TriangleMesh& mesh, const fs::path& temporary, const fs::path& path,
+                  MeshFormat format, const std::vector<std::string>& comments)
+{
+    errno = 0;
+    try
+    {
+        std::ofstream out(temporary, std::ios::binary);
+        out.exceptions(std::ios::badbit | std::ios::failbit);
+        write_with_openmesh(mesh, out, format, comments);
+        out.close();
+    }
+    catch (const std::ios_base::failure&)
+    {
+        fail(path, errno != 0 ? std::strerror(errno) : "the file could not be written in full");
+    }
+}
+
+} // namespace
+
+MeshFormat mesh_format(const fs::path& path, const std::optional<std::string>& name)
+{
+    if (name)
+    {
+        if (const NamedFormat* format = find_format(&NamedFormat::name, lower_case(*name)))
+            return format->format;
+        throw UsageError("unknown mesh format '" + *name + "'; known: " + list_of(&NamedFormat::name));
+    }
+    const std::string extension = path.extension().string();
+    if (const NamedFormat* format = find_format(&NamedFormat::extension, lower_case(extension)))
+        return format->format;
+    throw UsageError("cannot tell the mesh format of '" + path.string() + "' by its extension '" + extension +
+                     "'; known: " + list_of(&NamedFormat::extension) + "; or name one of the formats " +
+                     list_of(&NamedFormat::name));
+}
+
+void check_writable(const fs::path& path)
+{
+    const AtomicFile trial(path); // leaves again without a trace
+}
+
+WriteReport write_mesh(const TriangleMesh& mesh, const fs::path& path, MeshFormat format,
+                       const std::vector<std::string>& comments)
+{
+    check_mesh(mesh, path);
+    AtomicFile file(path);
+    WriteReport report;
+    if (format == MeshFormat::kVtp)
+        write_vtp(mesh, file.temporary(), comments);
+    else
+    {
+        const FloatRounding rounding = round_to_float(mesh);
+        report.vertices_nudged = rounding.vertices_nudged;
+        write_stream(rounding.mesh, file.temporary(), path, format, comments);
+    }
+    file.commit();
+    return report;
+}
+
+} // namespace voroprobe

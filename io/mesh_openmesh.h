@@ -1,0 +1,19 @@
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "io/mesh_writer.h"
+#include "mesh/triangle_mesh.h"
+
+namespace voroprobe
+{
+
+//! Writes STL, PLY, OBJ or OFF through OpenMesh, coordinates rounded to 32-bit floats (text: all digits of
+//! that float). \pre the format is not VTP; fewer than 2^31 vertices and faces. \throw OutputError where
+//! OpenMesh gives up; whatever the stream throws.
+void write_with_openmesh(const TriangleMesh& mesh, std::ostream& out, MeshFormat format,
+                         const std::vector<std::string>& comments);
+
+} // namespace voroprobe

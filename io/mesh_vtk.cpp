@@ -1,0 +1,203 @@
+#include "io/mesh_vtk.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+#include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkErrorCode.h>
+#include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkPLYReader.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSTLReader.h>
+#include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include "io/vtk_messages.h"
+#include "support/error.h"
+
+namespace voroprobe
+{
+
+namespace
+{
+
+// ---- Writing
+// --------------------------------------------------------------------------------------------------------
+
+//! The vertices as VTK sees them: the same memory, not a copy.
+vtkSmartPointer<vtkPoints> points_over(const std::vector<Point3>& vertices)
+{
+    static_assert(sizeof(Point3) == 3 * sizeof(double));
+    vtkNew<vtkDoubleArray> coordinates;
+    coordinates->SetNumberOfComponents(3);
+    auto* values =
+        const_cast<double*>(reinterpret_cast<const double*>(vertices.data())); // VTK's array only reads them
+    coordinates->SetArray(values, static_cast<vtkIdType>(3 * vertices.size()),
+                          1); // 1: VTK does not delete them
+
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    points->SetData(coordinates);
+    return points;
+}
+
+vtkSmartPointer<vtkCellArray> triangles_of(const std::vector<TriangleMesh::Face>& faces)
+{
+    vtkNew<vtkIdTypeArray> offsets;
+    vtkNew<vtkIdTypeArray> connectivity;
+    offsets->SetNumberOfValues(static_cast<vtkIdType>(faces.size() + 1));
+    connectivity->SetNumberOfValues(static_cast<vtkIdType>(3 * faces.size()));
+    vtkIdType next = 0;
+    offsets->SetValue(0, 0);
+    for (std::size_t f = 0; f < faces.size(); ++f)
+    {
+        for (const std::uint32_t v : faces[f])
+            connectivity->SetValue(next++, v);
+        offsets->SetValue(static_cast<vtkIdType>(f + 1), next);
+    }
+
+    auto triangles = vtkSmartPointer<vtkCellArray>::New();
+    triangles->SetData(offsets, connectivity);
+    return triangles;
+}
+
+vtkSmartPointer<vtkStringArray> string_array(const std::vector<std::string>& comments)
+{
+    auto array = vtkSmartPointer<vtkStringArray>::New();
+    array->SetName("comments");
+    for (const std::string& comment : comments)
+        array->InsertNextValue(comment);
+    return array;
+}
+
+// ---- Reading
+// --------------------------------------------------------------------------------------------------------
+
+template <typename Reader>
+vtkSmartPointer<vtkPolyData> run_reader(const std::filesystem::path& path)
+{
+    vtkNew<Reader> reader;
+    if constexpr (std::is_same_v<Reader, vtkSTLReader>)
+        reader->MergingOff(); // we weld ourselves, keeping all faces
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    return reader->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> run_reader(const std::filesystem::path& path, VtkMeshFormat format)
+{
+    switch (format)
+    {
+    case VtkMeshFormat::kStl:
+        return run_reader<vtkSTLReader>(path);
+    case VtkMeshFormat::kPly:
+        return run_reader<vtkPLYReader>(path);
+    case VtkMeshFormat::kVtp:
+        return run_reader<vtkXMLPolyDataReader>(path);
+    }
+    return nullptr;
+}
+
+[[noreturn]] void fail_reading(const std::filesystem::path& path, const std::string& reason)
+{
+    throw InputError("cannot read '" + path.string() + "': " + reason);
+}
+
+bool indices_are_valid(vtkPolyData& data)
+{
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    for (vtkCellArray* cells : {data.GetPolys(), data.GetStrips()})
+        for (cells->InitTraversal(); cells->GetNextCell(count, ids) != 0;)
+            if (!std::all_of(ids, ids + count,
+                             [&](vtkIdType id) { return id >= 0 && id < data.GetNumberOfPoints(); }))
+                return false;
+    return true;
+}
+
+std::vector<Point3> vertices_of(vtkPolyData& data)
+{
+    std::vector<Point3> vertices(static_cast<std::size_t>(data.GetNumberOfPoints()));
+    for (std::size_t v = 0; v < vertices.size(); ++v)
+    {
+        double p[3];
+        data.GetPoint(static_cast<vtkIdType>(v), p);
+        vertices[v] = {p[0], p[1], p[2]};
+    }
+    return vertices;
+}
+
+TriangleMesh::Face face_of(vtkIdType a, vtkIdType b, vtkIdType c)
+{
+    return {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)};
+}
+
+//! \pre indices are valid
+TriangleMesh mesh_of(vtkPolyData& data)
+{
+    TriangleMesh mesh{.vertices = vertices_of(data), .faces = {}};
+    mesh.faces.reserve(static_cast<std::size_t>(data.GetNumberOfPolys()));
+
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    vtkCellArray* polygons = data.GetPolys();
+    for (polygons->InitTraversal(); polygons->GetNextCell(count, ids) != 0;)
+        for (vtkIdType i = 2; i < count; ++i)
+            mesh.faces.push_back(face_of(ids[0], ids[i - 1], ids[i]));
+
+    // Every other triangle of a strip is named the other way round.
+    vtkCellArray* strips = data.GetStrips();
+    for (strips->InitTraversal(); strips->GetNextCell(count, ids) != 0;)
+        for (vtkIdType i = 2; i < count; ++i)
+            mesh.faces.push_back(i % 2 == 0 ? face_of(ids[i - 2], ids[i - 1], ids[i])
+                                            : face_of(ids[i - 1], ids[i - 2], ids[i]));
+    return mesh;
+}
+
+} // namespace
+
+void write_vtp(const TriangleMesh& mesh, const std::filesystem::path& path,
+               const std::vector<std::string>& comments)
+{
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(points_over(mesh.vertices));
+    data->SetPolys(triangles_of(mesh.faces));
+    if (!comments.empty())
+        data->GetFieldData()->AddArray(string_array(comments));
+
+    const VtkMessages messages;
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    writer->SetInputData(data);
+    writer->SetFileName(path.c_str());
+    writer->SetHeaderTypeToUInt64();
+    errno = 0;
+    if (writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError)
+        return;
+    const char* system =
+        errno != 0 ? std::strerror(errno) : vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode());
+    throw OutputError("cannot write '" + path.string() + "': " + system);
+}
+
+TriangleMesh read_with_vtk(const std::filesystem::path& path, VtkMeshFormat format)
+{
+    const VtkMessages messages;
+    const vtkSmartPointer<vtkPolyData> data = run_reader(path, format);
+    if (!messages.first_error().empty())
+        fail_reading(path, messages.first_error());
+    if (data == nullptr || data->GetNumberOfPolys() + data->GetNumberOfStrips() == 0)
+        fail_reading(path, "it holds no faces");
+    if (data->GetNumberOfPoints() > std::numeric_limits<std::uint32_t>::max() / 3)
+        fail_reading(path, "it holds too many vertices");
+    if (!indices_are_valid(*data))
+        fail_reading(path, "a face names a vertex that is not in the file");
+    return mesh_of(*data);
+}
+
+} // namespace voroprobe
