@@ -15,8 +15,8 @@ struct StoredLattice
 {
     std::array<std::size_t, 3> size;           //!< samples along each axis, > 0
     Vec3 spacing{1, 1, 1};                     //!< scan units, > 0
-    Matrix3 direction;                         //!< direction cosines by columns, orthonormal, either handedness
-    Point3 origin;                             //!< world (LPS, mm) position of index (0, 0, 0)
+    Matrix3 direction{};                       //!< direction cosines by columns, orthonormal, either handedness
+    Point3 origin{};                           //!< world (LPS, mm) position of index (0, 0, 0)
     std::array<std::ptrdiff_t, 3> start{0, 0, 0}; //!< index of the first stored sample
 };
 

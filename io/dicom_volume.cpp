@@ -1,0 +1,399 @@
+// DICOM files through GDCM, as ITK uses it: PS3.3 C.7.6.2 (Image Plane) says where the slices are.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <mutex>
+#include <sstream>
+
+#include <gdcmTrace.h>
+#include <itkGDCMImageIO.h>
+#include <itkGDCMSeriesFileNames.h>
+
+#include "io/volume_formats.h"
+#include "io/volume_itk.h"
+#include "support/error.h"
+
+namespace voroprobe
+{
+
+namespace
+{
+
+//! How far the distance between neighbours may be from the usual one, as a part of it, before it is worth a
+//! warning and before the volume is refused. A gap of half a slice more than usual means that a slice is
+//! missing.
+constexpr double kUnequalSpacingWarning = 0.01;
+constexpr double kUnequalSpacingError = 0.1;
+constexpr double kMissingSlice = 0.5;
+
+//! The largest angle between the direction cosines of slices of one volume, as a difference of cosines.
+constexpr double kSameDirection = 1e-4;
+
+//! How far the last slice may be shifted sideways against the first, as a part of a pixel: warning and error.
+constexpr double kSidewaysWarning = 0.1;
+constexpr double kSidewaysError = 1.0;
+
+//! Keeps what GDCM has to say instead of printing it. GDCM's trace is one for the whole program.
+class CaughtTrace
+{
+public:
+    CaughtTrace() : lock_(mutex()) { gdcm::Trace::SetStream(text_); }
+    ~CaughtTrace() { gdcm::Trace::SetStream(std::cerr); }
+    CaughtTrace(const CaughtTrace&) = delete;
+    CaughtTrace& operator=(const CaughtTrace&) = delete;
+
+    //! GDCM fills up short pixel data and only mentions it. \throw InputError where it did.
+    void require_complete_pixels() const
+    {
+        if (text_.str().find("Incomplete Pixel Data") != std::string::npos)
+            throw InputError("truncated: the file ends within its pixel data");
+    }
+
+private:
+    static std::mutex& mutex()
+    {
+        static std::mutex the_mutex;
+        return the_mutex;
+    }
+
+    std::lock_guard<std::mutex> lock_;
+    std::ostringstream text_;
+};
+
+//! Runs `action`, putting the name of the slice in front of what it throws.
+template <class Action>
+void with_slice(const std::string& file, const Action& action)
+{
+    try
+    {
+        action();
+    }
+    catch (const InputError& error)
+    {
+        throw InputError("slice " + std::filesystem::path(file).filename().string() + " " + error.what());
+    }
+}
+
+struct Series
+{
+    std::string uid;
+    std::vector<std::string> files; //!< ordered by position
+};
+
+std::vector<Series> find_series(const std::filesystem::path& folder)
+{
+    std::vector<Series> all;
+    with_itk(
+        [&]
+        {
+            const auto names = itk::GDCMSeriesFileNames::New();
+            names->SetUseSeriesDetails(true);
+            names->SetInputDirectory(folder.string());
+            for (const std::string& uid : names->GetSeriesUIDs())
+                all.push_back({uid, names->GetFileNames(uid)});
+        });
+    return all;
+}
+
+std::string list_text(const std::vector<const Series*>& series)
+{
+    std::string text;
+    for (const Series* one : series)
+        text += (text.empty() ? "" : ", ") + one->uid + " (" + std::to_string(one->files.size()) + " files)";
+    return text;
+}
+
+const Series& choose_series(const std::vector<Series>& all, const std::optional<std::string>& part)
+{
+    std::vector<const Series*> fitting;
+    std::vector<const Series*> every;
+    for (const Series& one : all)
+    {
+        every.push_back(&one);
+        if (!part || one.uid.find(*part) != std::string::npos)
+            fitting.push_back(&one);
+    }
+    if (every.empty())
+        throw InputError("holds no DICOM series");
+    if (fitting.empty())
+        throw InputError("has no series with \"" + *part + "\" in its UID, expected one of " +
+                         list_text(every));
+    if (fitting.size() > 1)
+        throw InputError("holds " + std::to_string(fitting.size()) +
+                         " series, expected one: choose with --series from " + list_text(fitting));
+    return *fitting.front();
+}
+
+//! Files of the folder that look like DICOM images but that GDCM could not place in any series are slices
+//! that are missing from one.
+void require_no_unreadable_file(const std::filesystem::path& folder, const std::vector<Series>& all)
+{
+    std::vector<std::string> known;
+    for (const Series& series : all)
+        for (const std::string& file : series.files)
+            known.push_back(std::filesystem::path(file).filename().string());
+    std::sort(known.begin(), known.end());
+    std::vector<std::string> unknown;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+    {
+        const std::string name = entry.path().filename().string();
+        if (entry.is_regular_file() && entry.path().extension() == ".dcm" && !name.starts_with('.') &&
+            !std::binary_search(known.begin(), known.end(), name))
+            unknown.push_back(name);
+    }
+    if (unknown.empty())
+        return;
+    throw InputError("slice " + *std::min_element(unknown.begin(), unknown.end()) +
+                     " cannot be read (truncated or not DICOM): remove it, or expected a complete series");
+}
+
+//! What the header of a slice says.
+struct Slice
+{
+    std::string file;
+    StoredLattice lattice;
+    StoredType type;         //!< of the values, slope and intercept applied
+    std::string stored_type; //!< of the file
+    bool has_position = true;
+};
+
+int tag_number(itk::GDCMImageIO& image_io, const std::string& tag)
+{
+    std::string text;
+    return image_io.GetValueFromTag(tag, text) ? std::atoi(text.c_str()) : 0;
+}
+
+//! From Bits Allocated and Pixel Representation.
+std::string stored_type_text(itk::GDCMImageIO& image_io)
+{
+    return (tag_number(image_io, "0028|0103") == 1 ? "int" : "uint") +
+           std::to_string(tag_number(image_io, "0028|0100"));
+}
+
+Slice read_slice_header(itk::GDCMImageIO& image_io, const std::string& file)
+{
+    read_itk_header(image_io, file);
+    std::string position;
+    Slice slice{.file = file,
+                .lattice = itk_lattice(image_io),
+                .type = itk_stored_type(image_io),
+                .stored_type = stored_type_text(image_io),
+                .has_position = image_io.GetValueFromTag("0020|0032", position)};
+    // GDCM rescales to double; 32 bits hold what was stored in 16.
+    if (slice.type == StoredType::kFloat64 && tag_number(image_io, "0028|0100") <= 16)
+        slice.type = StoredType::kFloat32;
+    return slice;
+}
+
+//! Headers of all slices; refuses those that do not fit together in one volume.
+std::vector<Slice> read_slice_headers(const Series& series)
+{
+    std::vector<Slice> slices;
+    for (const std::string& file : series.files)
+        with_slice(
+            file,
+            [&]
+            {
+                const auto image_io = itk::GDCMImageIO::New();
+                slices.push_back(read_slice_header(*image_io, file));
+                const StoredLattice& lattice = slices.back().lattice;
+                const StoredLattice& first = slices.front().lattice;
+                if (lattice.size != first.size)
+                    throw InputError("is " + std::to_string(lattice.size[0]) + " x " +
+                                     std::to_string(lattice.size[1]) +
+                                     ", expected it to be like the first, " + std::to_string(first.size[0]) +
+                                     " x " + std::to_string(first.size[1]));
+                if (!slices.back().has_position)
+                    throw InputError("has no position (Image Position Patient)");
+                for (std::size_t axis = 0; axis < 2; ++axis)
+                    if (dot(lattice.direction.column[axis], first.direction.column[axis]) <
+                            1.0 - kSameDirection ||
+                        std::abs(lattice.spacing[axis] / first.spacing[axis] - 1.0) > kSameDirection)
+                        throw InputError("has another orientation or pixel spacing than " +
+                                         std::filesystem::path(slices.front().file).filename().string());
+            });
+    return slices;
+}
+
+std::string names_text(const Slice& a, const Slice& b)
+{
+    return std::filesystem::path(a.file).filename().string() + " and " +
+           std::filesystem::path(b.file).filename().string();
+}
+
+//! Distances between neighbouring slices along their normal. \throw InputError where two slices are at one
+//! place.
+std::vector<double> slice_distances(const std::vector<Slice>& slices, const Vec3& normal)
+{
+    std::vector<double> distances;
+    for (std::size_t i = 0; i + 1 < slices.size(); ++i)
+    {
+        distances.push_back(dot(slices[i + 1].lattice.origin - slices[i].lattice.origin, normal));
+        constexpr double kSamePlace = 1e-4; // mm
+        if (distances.back() < kSamePlace)
+            throw InputError("slices " + names_text(slices[i], slices[i + 1]) +
+                             " are at the same position, expected one slice at each");
+    }
+    return distances;
+}
+
+//! \throw InputError where a slice is missing or the distances differ too much; a warning where they differ a
+//! little.
+void require_equal_distances(const std::vector<Slice>& slices, const std::vector<double>& distances,
+                             std::vector<std::string>& warnings)
+{
+    std::vector<double> sorted = distances;
+    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
+                     sorted.end());
+    const double usual = sorted[sorted.size() / 2];
+
+    const auto deviation = [usual](double distance) { return std::abs(distance / usual - 1.0); };
+    const auto worst = std::max_element(distances.begin(), distances.end(),
+                                        [&](double a, double b) { return deviation(a) < deviation(b); });
+    const auto at = static_cast<std::size_t>(worst - distances.begin());
+    const std::string text = names_text(slices[at], slices[at + 1]) + " are " + std::to_string(*worst) +
+                             " mm apart, expected " + std::to_string(usual) + " mm as between the others";
+    if (*worst > (1.0 + kMissingSlice) * usual)
+        throw InputError("a slice is missing: " + text);
+    if (deviation(*worst) > kUnequalSpacingError)
+        throw InputError("unequal spacing: slices " + text);
+    if (deviation(*worst) > kUnequalSpacingWarning)
+        warnings.push_back("unequal spacing, taken as equal: slices " + text);
+}
+
+//! Slices of a tilted gantry are shifted sideways one against the next; that is a sheared grid.
+void require_straight_stack(const std::vector<Slice>& slices, const Vec3& normal,
+                            std::vector<std::string>& warnings)
+{
+    const StoredLattice& first = slices.front().lattice;
+    const Vec3 whole = slices.back().lattice.origin - first.origin;
+    const double sideways =
+        norm(whole - dot(whole, normal) * normal) / std::min(first.spacing.x, first.spacing.y);
+    const std::string text = "the slices are shifted sideways by " + std::to_string(sideways) +
+                             " pixels from first to last (tilted gantry)";
+    if (sideways > kSidewaysError)
+        throw InputError(text + ", expected them straight above each other");
+    if (sideways > kSidewaysWarning)
+        warnings.push_back(text + "; taken as straight");
+}
+
+StoredLattice stack_lattice(const std::vector<Slice>& slices, std::vector<std::string>& warnings)
+{
+    StoredLattice lattice = slices.front().lattice;
+    if (slices.size() == 1)
+        return lattice; // one sample thick: read_volume refuses it
+    const Vec3 normal = cross(lattice.direction.column[0], lattice.direction.column[1]);
+    const std::vector<double> distances = slice_distances(slices, normal);
+    require_equal_distances(slices, distances, warnings);
+    require_straight_stack(slices, normal, warnings);
+    lattice.direction.column[2] = normal;
+    lattice.size[2] = slices.size();
+    lattice.spacing.z =
+        dot(slices.back().lattice.origin - lattice.origin, normal) / static_cast<double>(slices.size() - 1);
+    return lattice;
+}
+
+//! The type that holds the samples of all slices: theirs where it is one that a Volume keeps, else double.
+StoredType common_type(const std::vector<Slice>& slices)
+{
+    const StoredType first = slices.front().type;
+    const bool same =
+        std::all_of(slices.begin(), slices.end(), [&](const Slice& slice) { return slice.type == first; });
+    const bool kept = byte_size(first) <= 2 || first == StoredType::kInt32 || first == StoredType::kFloat32;
+    return same && kept ? first : StoredType::kFloat64;
+}
+
+SampleArray empty_samples(StoredType type, std::size_t count)
+{
+    const auto reserved = [count](auto samples) -> SampleArray
+    {
+        samples.reserve(count);
+        return samples;
+    };
+    switch (type)
+    {
+    case StoredType::kUint8:
+        return reserved(std::vector<std::uint8_t>{});
+    case StoredType::kInt8:
+        return reserved(std::vector<std::int8_t>{});
+    case StoredType::kUint16:
+        return reserved(std::vector<std::uint16_t>{});
+    case StoredType::kInt16:
+        return reserved(std::vector<std::int16_t>{});
+    case StoredType::kInt32:
+        return reserved(std::vector<std::int32_t>{});
+    case StoredType::kFloat32:
+        return reserved(std::vector<float>{});
+    default:
+        return reserved(std::vector<double>{});
+    }
+}
+
+void append(SampleArray& all, const SampleArray& more)
+{
+    std::visit(
+        [](auto& to, const auto& from)
+        {
+            using Sample = typename std::decay_t<decltype(to)>::value_type;
+            std::transform(from.begin(), from.end(), std::back_inserter(to),
+                           [](auto value) { return static_cast<Sample>(value); });
+        },
+        all, more);
+}
+
+SampleArray read_slice_samples(const std::string& file)
+{
+    const CaughtTrace trace;
+    const auto image_io = itk::GDCMImageIO::New();
+    read_itk_header(*image_io, file);
+    SampleArray samples = read_itk_samples(*image_io, std::nullopt);
+    trace.require_complete_pixels();
+    return samples;
+}
+
+} // namespace
+
+StoredVolume read_dicom_file(const std::filesystem::path& path, const ReadOptions& options)
+{
+    const CaughtTrace trace;
+    const auto image_io = itk::GDCMImageIO::New();
+    read_itk_header(*image_io, path);
+    StoredVolume volume{.lattice = itk_lattice(*image_io), .format = "DICOM"};
+    if (volume.lattice.size[2] == 1)
+        throw InputError("a single slice is not a volume: expected the folder that holds the whole series");
+    volume.stored_type = stored_type_text(*image_io);
+    volume.samples = read_itk_samples(*image_io, options.frame);
+    trace.require_complete_pixels();
+    return volume;
+}
+
+StoredVolume read_dicom_folder(const std::filesystem::path& folder, const ReadOptions& options)
+{
+    std::vector<Series> all;
+    std::vector<Slice> slices;
+    {
+        const CaughtTrace trace;
+        all = find_series(folder);
+        require_no_unreadable_file(folder, all);
+        slices = read_slice_headers(choose_series(all, options.series));
+    }
+    if (slices.size() == 1 && slices.front().lattice.size[2] > 1)
+        return read_dicom_file(slices.front().file, options);
+    choose_frame(1, options.frame);
+
+    StoredVolume volume{.lattice = {.size = {}}, .format = "DICOM"};
+    volume.lattice = stack_lattice(slices, volume.warnings);
+    volume.stored_type = slices.front().stored_type;
+    const StoredType type = common_type(slices);
+    const std::array<std::int64_t, 3> size{static_cast<std::int64_t>(volume.lattice.size[0]),
+                                           static_cast<std::int64_t>(volume.lattice.size[1]),
+                                           static_cast<std::int64_t>(volume.lattice.size[2])};
+    volume.samples = empty_samples(type, require_sane_size(size, byte_size(type)));
+    for (const Slice& slice : slices)
+        with_slice(slice.file, [&] { append(volume.samples, read_slice_samples(slice.file)); });
+    return volume;
+}
+
+} // namespace voroprobe
