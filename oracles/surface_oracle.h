@@ -9,8 +9,8 @@
 namespace voroprobe
 {
 
-//! Which part of space a point lies in: positive inside the object, negative outside, never 0. An oracle without an inventory
-//! answers +1 and -1; one with an inventory the region's id.
+//! Which part of space a point lies in: positive inside the object, negative outside, never 0. An oracle
+//! without an inventory answers +1 and -1; one with an inventory the region's id.
 using Region = std::int32_t;
 
 inline constexpr Region kOuterRegion = -1; //!< everything beyond the domain
@@ -28,14 +28,15 @@ struct Crossing
     bool on_border = false; //!< the object leaves the domain here: a cap, not the surface itself
 };
 
-//! The only thing the mesher knows of a surface. The surface is closed and bounds an object inside `domain()`.
+//! The only thing the mesher knows of a surface. The surface is closed and bounds an object inside
+//! `domain()`.
 //!
-//! Inside rule: a point is inside where the field is at least the isovalue (at most, for oracles of signed distances); a
-//! sample equal to the isovalue is inside. Stated here once; every oracle keeps it.
+//! Inside rule: a point is inside where the field is at least the isovalue (at most, for oracles of signed
+//! distances); a sample equal to the isovalue is inside. Stated here once; every oracle keeps it.
 //!
-//! Frame: the oracle's own orthonormal right-handed frame, scan units (for volumes: the grid frame). Stateless: all functions
-//! may be called from several threads at once.
-//! Source: Feree & Alliez 2009, Sec. 1 (oracle).
+//! Frame: the oracle's own orthonormal right-handed frame, scan units (for volumes: the grid frame).
+//! Stateless: all functions may be called from several threads at once. Source: Feree & Alliez 2009, Sec. 1
+//! (oracle).
 class SurfaceOracle
 {
 public:
@@ -44,13 +45,15 @@ public:
     //! A box that holds the object. Beyond it region() answers kOuterRegion and no segment crosses.
     [[nodiscard]] virtual Box3 domain() const = 0;
 
-    //! The region that holds p; kOuterRegion for points beyond the domain and for NaN or infinite coordinates.
+    //! The region that holds p; kOuterRegion for points beyond the domain and for NaN or infinite
+    //! coordinates.
     [[nodiscard]] virtual Region region(const Point3& p) const = 0;
 
-    //! All proper crossings of the segment with the surface, in order from source to target, into `crossings` (cleared
-    //! first). Sees even numbers of crossings; touching without changing side is not a crossing. Consistent with region():
-    //! the number is odd exactly where is_inside(region(source)) != is_inside(region(target)). The ends may lie far beyond
-    //! the domain. Cost: proportional to the grid cells met near the surface for volumes.
+    //! All proper crossings of the segment with the surface, in order from source to target, into `crossings`
+    //! (cleared first). Sees even numbers of crossings; touching without changing side is not a crossing.
+    //! Consistent with region(): the number is odd exactly where is_inside(region(source)) !=
+    //! is_inside(region(target)). The ends may lie far beyond the domain. Cost: proportional to the grid
+    //! cells met near the surface for volumes.
     virtual void find_crossings(const Segment3& segment, std::vector<Crossing>& crossings) const = 0;
 
     //! False only where it is certain that no point of the surface lies in the box.

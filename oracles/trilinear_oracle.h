@@ -15,12 +15,14 @@ enum class InsideIs
     kBelow  //!< inside: sample <= isovalue (signed distances)
 };
 
-//! The exact isosurface of the trilinear interpolant of a volume, closed by the faces of the volume's box; frame: grid.
+//! The exact isosurface of the trilinear interpolant of a volume, closed by the faces of the volume's box;
+//! frame: grid.
 //!
-//! Samples equal to the isovalue are moved inside by an amount far below any that could be seen (simulation of simplicity:
-//! one fixed side, everywhere the same). NaN and infinite samples count as outside.
-//! Empty space is skipped by bricks of 4x4x4 grid cells that know their distance to the nearest brick with a crossing.
-//! Memory: about 2 bits per sample beside the volume, which is shared, not copied (it is copied where samples are not finite).
+//! Samples equal to the isovalue are moved inside by an amount far below any that could be seen (simulation
+//! of simplicity: one fixed side, everywhere the same). NaN and infinite samples count as outside. Empty
+//! space is skipped by bricks of 4x4x4 grid cells that know their distance to the nearest brick with a
+//! crossing. Memory: about 2 bits per sample beside the volume, which is shared, not copied (it is copied
+//! where samples are not finite).
 std::unique_ptr<SurfaceOracle> make_trilinear_oracle(std::shared_ptr<const Volume> volume, double isovalue,
                                                      InsideIs inside = InsideIs::kAbove);
 

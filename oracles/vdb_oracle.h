@@ -20,9 +20,9 @@ struct VdbSurface
     AffineTransform world_from_grid;        //!< to the file's world
     AffineTransform source_index_from_grid; //!< to the file's index coordinates
     std::string grid_name;
-    std::string grid_class;                 //!< "level set", "fog volume" or "unknown"
-    std::string stored_type;                //!< "float32" or "float16"
-    double isovalue;                        //!< the one used: 0 for level sets unless given
+    std::string grid_class;  //!< "level set", "fog volume" or "unknown"
+    std::string stored_type; //!< "float32" or "float16"
+    double isovalue;         //!< the one used: 0 for level sets unless given
     InsideIs inside;
     double voxel_size;                      //!< shortest side, world units
     std::array<std::size_t, 3> active_size; //!< extent of the active bounding box, voxels
@@ -34,14 +34,16 @@ struct VdbSurface
 //! How to read a .vdb file when the file alone does not settle it.
 struct VdbOptions
 {
-    std::optional<std::string> grid = std::nullopt; //!< name; may be left out where the file holds one float grid
-    std::optional<double> isovalue = std::nullopt;  //!< default: 0 for level sets, half of the maximum for fog volumes
-    std::optional<InsideIs> inside = std::nullopt;  //!< default: below for level sets, above otherwise
+    std::optional<std::string> grid =
+        std::nullopt; //!< name; may be left out where the file holds one float grid
+    std::optional<double> isovalue =
+        std::nullopt; //!< default: 0 for level sets, half of the maximum for fog volumes
+    std::optional<InsideIs> inside = std::nullopt; //!< default: below for level sets, above otherwise
 };
 
 //! The exact trilinear isosurface of a float grid of a .vdb file, on its sparse tree (nothing is made dense).
-//! \throw InputError with the path and the reason: missing, not a VDB file, no or several float grids (lists them), a frustum
-//! or sheared transform.
+//! \throw InputError with the path and the reason: missing, not a VDB file, no or several float grids (lists
+//! them), a frustum or sheared transform.
 VdbSurface read_vdb_surface(const std::filesystem::path& path, const VdbOptions& options = {});
 
 } // namespace voroprobe
