@@ -130,18 +130,6 @@ std::vector<std::string> result_warnings(const MeshRun& run)
             number_text(run.options.floor_radius) + " mm may be missing"};
 }
 
-//! \throw Error where the mesh written is not what was promised.
-void conclude(const MeshRun& run)
-{
-    const std::string output = run.arguments.output.string();
-    if (run.status == RunStatus::kPartial)
-        throw Error(ExitStatus::kBudget, "--max-vertices " +
-                                             std::to_string(run.options.max_vertices.value_or(0)) +
-                                             " was reached: " + output + " holds a partial result");
-    if (const auto broken = broken_promise(run.facts, run.arguments.border))
-        throw Error(ExitStatus::kIncomplete, output + " was written but has " + *broken);
-}
-
 } // namespace
 
 void run_mesh_command(const MeshArguments& arguments)
@@ -163,7 +151,7 @@ void run_mesh_command(const MeshArguments& arguments)
         write_text(*arguments.summary, summary_json(run));
     if (!arguments.quiet)
         std::cout << mesh_report(run);
-    conclude(run);
+    check_promises(run);
 }
 
 } // namespace voroprobe

@@ -8,6 +8,7 @@ MeshFacts measure_mesh(const TriangleMesh& mesh, double angle_bound_deg)
     return {.vertices = mesh.vertices.size(),
             .faces = mesh.faces.size(),
             .topology = analyze_topology(mesh),
+            .coincident_vertices = mesh.vertices.size() - weld(mesh).vertices.size(),
             .area_mm2 = area(mesh),
             .volume_mm3 = enclosed_volume(mesh),
             .angles = measure_angles(mesh),

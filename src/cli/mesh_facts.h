@@ -14,6 +14,7 @@ struct MeshFacts
     std::size_t vertices = 0;
     std::size_t faces = 0;
     MeshTopology topology;
+    std::size_t coincident_vertices = 0; //!< at the place of another: a reader that welds would make them one
     double area_mm2 = 0.0;
     double volume_mm3 = 0.0; //!< enclosed; of no meaning where the mesh is not closed
     AngleMeasures angles;

@@ -1,6 +1,7 @@
 #include "cli/mesh_run.h"
 
 #include "cli/number_text.h"
+#include "support/error.h"
 
 namespace voroprobe
 {
@@ -27,9 +28,21 @@ std::optional<std::string> broken_promise(const MeshFacts& facts, BorderFaces bo
     complain(complaints, topology.misoriented_edges, "edges whose faces wind against each other");
     complain(complaints, topology.degenerate_faces, "faces without area");
     complain(complaints, topology.unused_vertices, "vertices on no face");
+    complain(complaints, facts.coincident_vertices, "vertices at the place of another");
     if (complaints.empty() && topology.closed() && facts.volume_mm3 <= 0.0)
         complaints = "faces that wind inward";
     return complaints.empty() ? std::nullopt : std::optional(complaints);
+}
+
+void check_promises(const MeshRun& run)
+{
+    const std::string output = run.arguments.output.string();
+    if (run.status == RunStatus::kPartial)
+        throw Error(ExitStatus::kBudget, "--max-vertices " +
+                                             std::to_string(run.options.max_vertices.value_or(0)) +
+                                             " was reached: " + output + " holds a partial result");
+    if (const auto broken = broken_promise(run.facts, run.arguments.border))
+        throw Error(ExitStatus::kIncomplete, output + " was written but has " + *broken);
 }
 
 } // namespace voroprobe

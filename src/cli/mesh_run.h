@@ -44,4 +44,8 @@ struct MeshRun
 //! What is wrong with the topology of the mesh, in one line; nullopt where it is as promised.
 std::optional<std::string> broken_promise(const MeshFacts& facts, BorderFaces border);
 
+//! Says whether the mesh that was written is what was asked for, all of it. \throw Error: kBudget where it is
+//! partial, kIncomplete where a promise is broken.
+void check_promises(const MeshRun& run);
+
 } // namespace voroprobe

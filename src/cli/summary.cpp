@@ -2,11 +2,10 @@
 
 #include <fstream>
 #include <string_view>
-#include <system_error>
 
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
+#include "io/atomic_file.h"
 #include "support/error.h"
 #include "support/memory.h"
 
@@ -103,7 +102,8 @@ Json work_json(const MeshingStatistics& statistics)
     return {{"insertions", statistics.insertions},
             {"stale_queue_entries", statistics.stale_queue_entries},
             {"facets_at_floor", statistics.facets_at_floor},
-            {"vertices_split", statistics.vertices_split}};
+            {"contacts_separated", statistics.contacts_separated},
+            {"contacts_unseparated", statistics.contacts_unseparated}};
 }
 
 } // namespace
@@ -134,23 +134,13 @@ std::string summary_json(const MeshRun& run)
 
 void write_text(const std::filesystem::path& path, const std::string& text)
 {
-    std::filesystem::path temporary = path;
-    temporary += ".tmp" + std::to_string(getpid());
-    std::ofstream file(temporary, std::ios::binary);
-    file << text << std::flush;
-    const bool written = file.good();
+    AtomicFile target(path);
+    std::ofstream file(target.temporary(), std::ios::binary);
+    file << text;
     file.close();
-
-    std::error_code error;
-    if (written)
-        std::filesystem::rename(temporary, path, error);
-    if (!written || error)
-    {
-        std::error_code ignored;
-        std::filesystem::remove(temporary, ignored);
-        throw OutputError("cannot write " + path.string() + ": " +
-                          (error ? error.message() : "disk full or not writable"));
-    }
+    if (!file)
+        throw OutputError("cannot write '" + path.string() + "': disk full or not writable");
+    target.commit();
 }
 
 } // namespace voroprobe
