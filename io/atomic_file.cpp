@@ -46,16 +46,18 @@ void check_target(const fs::path& target)
         fail(target, "the folder '" + folder.string() + "' does not exist");
     if (!fs::is_directory(folder_status))
         fail(target, "'" + folder.string() + "' is not a folder");
-    if (::access(folder.c_str(), W_OK | X_OK) != 0)
-        fail(target, "the folder '" + folder.string() + "' is not writable (" + system_reason(errno) + ")");
 
     const fs::file_status status = fs::status(target, error);
+    if (status.type() == fs::file_type::none)
+        fail(target, error.message()); // a name too long, a loop of links
     if (!target.has_filename() || fs::is_directory(status))
         fail(target, "it is a folder; a file name is expected");
     if (fs::exists(status) && !fs::is_regular_file(status))
         fail(target, "it exists and is not a regular file");
     if (fs::exists(status) && ::access(target.c_str(), W_OK) != 0)
         fail(target, "it exists and is write-protected (" + system_reason(errno) + ")");
+    if (::access(folder.c_str(), W_OK | X_OK) != 0)
+        fail(target, "the folder '" + folder.string() + "' is not writable (" + system_reason(errno) + ")");
 }
 
 //! The file that is to be replaced: where `path` is a symbolic link, what it points to.

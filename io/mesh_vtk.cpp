@@ -163,8 +163,8 @@ TriangleMesh mesh_of(vtkPolyData& data)
 
 } // namespace
 
-void write_vtp(const TriangleMesh& mesh, const std::filesystem::path& path,
-               const std::vector<std::string>& comments)
+void write_vtp(const TriangleMesh& mesh, const std::filesystem::path& temporary,
+               const std::filesystem::path& path, const std::vector<std::string>& comments)
 {
     vtkNew<vtkPolyData> data;
     data->SetPoints(points_over(mesh.vertices));
@@ -175,7 +175,7 @@ void write_vtp(const TriangleMesh& mesh, const std::filesystem::path& path,
     const VtkMessages messages;
     vtkNew<vtkXMLPolyDataWriter> writer;
     writer->SetInputData(data);
-    writer->SetFileName(path.c_str());
+    writer->SetFileName(temporary.c_str());
     writer->SetHeaderTypeToUInt64();
     errno = 0;
     if (writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError)

@@ -9,10 +9,11 @@
 namespace voroprobe
 {
 
-//! Writes VTK's XML poly data: 64-bit coordinates, compressed, comments as a string array of the field data
-//! named "comments". \throw OutputError with VTK's reason.
-void write_vtp(const TriangleMesh& mesh, const std::filesystem::path& path,
-               const std::vector<std::string>& comments);
+//! Writes VTK's XML poly data to `temporary`, which stands in for `path`: 64-bit coordinates, compressed,
+//! comments as a string array of the field data named "comments". \throw OutputError that names `path` and
+//! the reason.
+void write_vtp(const TriangleMesh& mesh, const std::filesystem::path& temporary,
+               const std::filesystem::path& path, const std::vector<std::string>& comments);
 
 //! The formats VTK's readers know. They keep every face, also where the mesh is not manifold.
 enum class VtkMeshFormat

@@ -80,7 +80,8 @@ void check_mesh(const TriangleMesh& mesh, const fs::path& path)
             fail(path, "the mesh has a face that names a vertex that does not exist");
 }
 
-//! Writes with OpenMesh to a stream that throws at the first write that fails.
+//! Writes to `temporary`, which stands in for `path`, with OpenMesh, to a stream that throws at the first
+//! failure.
 void write_stream(const TriangleMesh& mesh, const fs::path& temporary, const fs::path& path,
                   MeshFormat format, const std::vector<std::string>& comments)
 {
@@ -128,7 +129,7 @@ WriteReport write_mesh(const TriangleMesh& mesh, const fs::path& path, MeshForma
     AtomicFile file(path);
     WriteReport report;
     if (format == MeshFormat::kVtp)
-        write_vtp(mesh, file.temporary(), comments);
+        write_vtp(mesh, file.temporary(), path, comments);
     else
     {
         const FloatRounding rounding = round_to_float(mesh);

@@ -1,5 +1,6 @@
 #include "io/vtk_messages.h"
 
+#include <vtkLogger.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 #include <vtkSmartPointer.h>
@@ -53,14 +54,20 @@ public:
     {
         previous_ = vtkOutputWindow::GetInstance();
         vtkOutputWindow::SetInstance(keeping_);
+        vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
     }
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
-    ~Window() { vtkOutputWindow::SetInstance(previous_); }
+    ~Window()
+    {
+        vtkLogger::SetStderrVerbosity(previous_verbosity_);
+        vtkOutputWindow::SetInstance(previous_);
+    }
 
     [[nodiscard]] const std::string& first_error() const { return keeping_->first_error; }
 
 private:
+    vtkLogger::Verbosity previous_verbosity_ = vtkLogger::GetCurrentVerbosityCutoff();
     vtkSmartPointer<vtkOutputWindow> previous_;
     vtkSmartPointer<KeepingWindow> keeping_ = vtkSmartPointer<KeepingWindow>::New();
 };
