@@ -21,8 +21,8 @@ public:
         void DisplayText(const char*) override
     {
     }
-    void DisplayWarningText(const char*) override {}
-    void DisplayGenericWarningText(const char*) override {}
+    void DisplayWarningText(const char* text) override { keep_warning(text); }
+    void DisplayGenericWarningText(const char* text) override { keep_warning(text); }
     void DisplayDebugText(const char*) override {}
     void DisplayErrorText(const char* text) override
     {
@@ -31,6 +31,14 @@ public:
     }
 
     std::string first_error;
+    std::string first_warning;
+
+private:
+    void keep_warning(const char* text)
+    {
+        if (first_warning.empty())
+            first_warning = text;
+    }
 };
 vtkStandardNewMacro(KeepingWindow);
 
@@ -65,6 +73,7 @@ public:
     }
 
     [[nodiscard]] const std::string& first_error() const { return keeping_->first_error; }
+    [[nodiscard]] const std::string& first_warning() const { return keeping_->first_warning; }
 
 private:
     vtkLogger::Verbosity previous_verbosity_ = vtkLogger::GetCurrentVerbosityCutoff();
@@ -79,6 +88,11 @@ VtkMessages::~VtkMessages() = default;
 std::string VtkMessages::first_error() const
 {
     return reason_of(window_->first_error());
+}
+
+std::string VtkMessages::first_warning() const
+{
+    return reason_of(window_->first_warning());
 }
 
 } // namespace voroprobe

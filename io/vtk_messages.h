@@ -20,6 +20,9 @@ public:
     //! The first error, as one line without VTK's source lines and addresses; empty when there was none.
     [[nodiscard]] std::string first_error() const;
 
+    //! The same for warnings: VTK's legacy reader only warns where a file is too short.
+    [[nodiscard]] std::string first_warning() const;
+
 private:
     class Window;
     std::unique_ptr<Window> window_;
