@@ -5,12 +5,14 @@
 #include <cstdlib>
 #include <iostream>
 #include <mutex>
+#include <set>
 #include <sstream>
 
 #include <gdcmTrace.h>
 #include <itkGDCMImageIO.h>
 #include <itkGDCMSeriesFileNames.h>
 
+#include "io/volume_bytes.h"
 #include "io/volume_formats.h"
 #include "io/volume_itk.h"
 #include "support/error.h"
@@ -126,27 +128,33 @@ const Series& choose_series(const std::vector<Series>& all, const std::optional<
     return *fitting.front();
 }
 
-//! Files of the folder that look like DICOM images but that GDCM could not place in any series are slices
-//! that are missing from one.
+bool looks_like_dicom(const std::filesystem::path& path)
+{
+    const std::string name = path.filename().string();
+    if (name.starts_with('.') || name == "DICOMDIR")
+        return false;
+    constexpr std::size_t kMarkOffset = 128;
+    const std::string head = read_head(path, kMarkOffset + 4);
+    return path.extension() == ".dcm" || (head.size() == kMarkOffset + 4 && head.ends_with("DICM"));
+}
+
+//! A file of the folder that looks like DICOM but that GDCM could not place in any series is a slice missing
+//! from one.
 void require_no_unreadable_file(const std::filesystem::path& folder, const std::vector<Series>& all)
 {
-    std::vector<std::string> known;
+    std::set<std::string> known;
     for (const Series& series : all)
         for (const std::string& file : series.files)
-            known.push_back(std::filesystem::path(file).filename().string());
-    std::sort(known.begin(), known.end());
-    std::vector<std::string> unknown;
+            known.insert(std::filesystem::path(file).filename().string());
+    std::set<std::string> unreadable;
     for (const auto& entry : std::filesystem::directory_iterator(folder))
-    {
-        const std::string name = entry.path().filename().string();
-        if (entry.is_regular_file() && entry.path().extension() == ".dcm" && !name.starts_with('.') &&
-            !std::binary_search(known.begin(), known.end(), name))
-            unknown.push_back(name);
-    }
-    if (unknown.empty())
-        return;
-    throw InputError("slice " + *std::min_element(unknown.begin(), unknown.end()) +
-                     " cannot be read (truncated or not DICOM): remove it, or expected a complete series");
+        if (const std::string name = entry.path().filename().string();
+            entry.is_regular_file() && !known.contains(name) && looks_like_dicom(entry.path()))
+            unreadable.insert(name);
+    if (!unreadable.empty())
+        throw InputError(
+            "slice " + *unreadable.begin() +
+            " cannot be read (truncated, or not DICOM), expected every .dcm file to be readable");
 }
 
 //! What the header of a slice says.
@@ -359,6 +367,8 @@ StoredVolume read_dicom_file(const std::filesystem::path& path, const ReadOption
 {
     const CaughtTrace trace;
     const auto image_io = itk::GDCMImageIO::New();
+    if (!image_io->CanReadFile(path.c_str()))
+        throw InputError("is not a readable DICOM file (truncated, or of another format)");
     read_itk_header(*image_io, path);
     StoredVolume volume{.lattice = itk_lattice(*image_io), .format = "DICOM"};
     if (volume.lattice.size[2] == 1)

@@ -3,6 +3,7 @@
 // ITK decides where the samples are (sform, qform, units). The samples are read here, because ITK's reader
 // fills what a truncated file lacks with zeros, replaces NaN by zero, and takes a size of 0 for 1.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -30,6 +31,10 @@ constexpr std::size_t kPixdim = 76;
 constexpr std::size_t kVoxOffset = 108;
 constexpr std::size_t kSclSlope = 112;
 constexpr std::size_t kSclInter = 116;
+constexpr std::size_t kXyztUnits = 123;
+constexpr std::size_t kQformCode = 252;
+constexpr std::size_t kSformCode = 254;
+constexpr std::size_t kSrow = 280;
 constexpr std::size_t kMagic = 344;
 
 struct Header
@@ -124,6 +129,74 @@ bool gives_spacing(const Header& header)
     return false;
 }
 
+double unit_in_mm(const Header& header)
+{
+    constexpr unsigned kSpaceUnits = 7;
+    switch (static_cast<unsigned char>(header.bytes[kXyztUnits]) & kSpaceUnits)
+    {
+    case 1:
+        return 1e3; // meter
+    case 3:
+        return 1e-3; // micron
+    default:
+        return 1.0;
+    }
+}
+
+//! The lattice of the sform, turned from NIfTI's RAS to LPS.
+StoredLattice sform_lattice(const Header& header, const std::array<std::int64_t, 4>& size)
+{
+    StoredLattice lattice{.size = {}};
+    for (std::size_t row = 0; row < 3; ++row)
+    {
+        const double to_lps = unit_in_mm(header) * (row < 2 ? -1.0 : 1.0);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            lattice.direction.column[axis][row] = to_lps * header.at<float>(kSrow + 16 * row + 4 * axis);
+        lattice.origin[row] = to_lps * header.at<float>(kSrow + 16 * row + 12);
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+        lattice.size[axis] = static_cast<std::size_t>(size[axis]);
+        lattice.spacing[axis] = norm(lattice.direction.column[axis]);
+        lattice.direction.column[axis] = normalized(lattice.direction.column[axis]);
+    }
+    return lattice;
+}
+
+//! The largest cosine of an angle between two axes.
+double skew(const Matrix3& direction)
+{
+    const auto& [x, y, z] = direction.column;
+    return std::max({std::abs(dot(x, y)), std::abs(dot(y, z)), std::abs(dot(z, x))});
+}
+
+//! Where ITK puts the samples: by the sform or, where that is sheared, by the qform. ITK gives up from a skew
+//! of 1e-4 on where there is no qform; headers rounded to a few digits reach that, so we accept a little
+//! more.
+void read_lattice(const std::filesystem::path& path, const Header& header,
+                  const std::array<std::int64_t, 4>& size, StoredVolume& volume)
+{
+    constexpr double kAlwaysAcceptedByItk = 5e-5;
+    constexpr double kMaxSkew = 1e-3;
+    const bool has_sform = header.at<std::int16_t>(kSformCode) > 0;
+    const bool has_qform = header.at<std::int16_t>(kQformCode) > 0;
+    const StoredLattice by_sform = sform_lattice(header, size);
+    const double sform_skew = has_sform ? skew(by_sform.direction) : 0.0;
+    if (sform_skew > kAlwaysAcceptedByItk && sform_skew <= kMaxSkew)
+    {
+        volume.lattice = by_sform;
+        return;
+    }
+    if (sform_skew > kMaxSkew && !has_qform)
+        throw InputError("the sform is sheared: two axes meet at a cosine of " + std::to_string(sform_skew) +
+                         ", expected right angles (at most 0.001)");
+    if (sform_skew > kMaxSkew)
+        volume.warnings.emplace_back("the sform is sheared: the qform is used instead");
+    const auto image_io = itk::NiftiImageIO::New();
+    read_itk_header(*image_io, path);
+    volume.lattice = itk_lattice(*image_io);
+}
+
 //! Byte position of the first sample of a volume.
 ByteSource frame_source(const std::filesystem::path& path, const Header& header, std::size_t frame_start)
 {
@@ -151,9 +224,8 @@ StoredVolume read_nifti(const std::filesystem::path& path, const ReadOptions& op
     const ByteSource source = frame_source(path, header, frame * frame_bytes);
     require_bytes(source, frame_bytes);
 
-    const auto image_io = itk::NiftiImageIO::New();
-    read_itk_header(*image_io, path);
-    StoredVolume volume{.lattice = itk_lattice(*image_io), .format = "NIfTI"};
+    StoredVolume volume{.lattice = {.size = {}}, .format = "NIfTI"};
+    read_lattice(path, header, size, volume);
     volume.stored_type = stored_type_name(sample_encoding.type);
     volume.has_spacing = gives_spacing(header);
     volume.samples =

@@ -27,7 +27,8 @@ private:
     bool before_ = itk::Object::GetGlobalWarningDisplay();
 };
 
-//! "[nrrd] _nrrdEncodingGzip_read: expected 240 bytes but received 200" of a message of many lines.
+//! "expected 240 bytes but received 200" of a message of many lines, the last of which is
+//! "[nrrd] _nrrdEncodingGzip_read: expected 240 bytes but received 200".
 std::string last_line(std::string text)
 {
     text.erase(text.find_last_not_of(" \t\r\n") + 1);
@@ -36,6 +37,10 @@ std::string last_line(std::string text)
     for (const std::string_view prefix : {"ITK ERROR: ", "Reason: "})
         if (text.starts_with(prefix))
             text.erase(0, prefix.size());
+    if (const std::size_t colon = text.find(": "); text.starts_with("[nrrd]") && colon != std::string::npos)
+        text.erase(0, colon + 2);
+    if (const std::size_t address_end = text.find("): "); address_end != std::string::npos)
+        text.erase(0, address_end + 3);
     return text;
 }
 

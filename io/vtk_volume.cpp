@@ -1,5 +1,6 @@
 // VTK image data: the XML format (.vti) and the legacy one (.vtk, STRUCTURED_POINTS), read with VTK.
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <map>
@@ -106,6 +107,8 @@ StoredVolume read_with(Reader& reader, const std::filesystem::path& path)
     require_sane_extent(reader);
     reader.Update();
     rethrow(messages);
+    if (messages.first_warning().find("Error reading") != std::string::npos)
+        throw InputError("truncated or damaged: the samples end early");
 
     auto& image = static_cast<vtkImageData&>(*reader.GetOutput());
     vtkDataArray& array = point_samples(image);
@@ -120,6 +123,17 @@ StoredVolume read_with(Reader& reader, const std::filesystem::path& path)
                                     [&](std::span<std::byte> to)
                                     { std::memcpy(to.data(), array.GetVoidPointer(0), to.size()); });
     return volume;
+}
+
+//! VTK does not look for the end of a file with raw appended data, nor mind if the data end early.
+void require_end_tag(const std::filesystem::path& path)
+{
+    constexpr std::uint64_t kTailBytes = 256;
+    const std::uint64_t size = std::filesystem::file_size(path);
+    std::string tail(std::min(size, kTailBytes), '\0');
+    read_bytes({.files = {path}, .offset = size - tail.size()}, std::as_writable_bytes(std::span(tail)));
+    if (tail.find("</VTKFile>") == std::string::npos)
+        throw InputError("truncated: expected \"</VTKFile>\" at the end of the file");
 }
 
 } // namespace
@@ -137,6 +151,7 @@ StoredVolume read_vtk_image(const std::filesystem::path& path, const ReadOptions
     if (head.find("<VTKFile") == std::string::npos || head.find("ImageData") == std::string::npos)
         throw InputError("is not a VTK image: expected an XML file of type ImageData or a legacy file of "
                          "STRUCTURED_POINTS");
+    require_end_tag(path);
     vtkNew<vtkXMLImageDataReader> reader;
     return read_with(*reader, path);
 }
