@@ -1,11 +1,9 @@
 #include "mesher/boundary_complex.h"
 
-#include <algorithm>
 #include <limits>
-#include <numeric>
-#include <utility>
 
 #include "support/check.h"
+#include "support/union_find.h"
 
 namespace voroprobe
 {
@@ -19,35 +17,6 @@ constexpr int kOutwardCorners[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1
 bool inside(DelaunayCell delaunay_cell)
 {
     return is_inside(delaunay_cell->info().region);
-}
-
-//! Disjoint sets with path halving.
-class UnionFind
-{
-public:
-    explicit UnionFind(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
-
-    std::uint32_t find(std::uint32_t i)
-    {
-        while (parent_[i] != i)
-            i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-
-    void unite(std::uint32_t i, std::uint32_t j)
-    {
-        i = find(i);
-        j = find(j);
-        parent_[std::max(i, j)] = std::min(i, j);
-    }
-
-private:
-    std::vector<std::uint32_t> parent_;
-};
-
-VertexHandle corner(const BoundaryFace& face, std::size_t k)
-{
-    return face.inside->vertex(kOutwardCorners[face.index][k]);
 }
 
 std::vector<BoundaryFace> collect_faces(const RestrictedDelaunay& restricted,
@@ -102,6 +71,11 @@ std::uint32_t corner_number(const std::vector<BoundaryFace>& faces, std::uint32_
 
 } // namespace
 
+VertexHandle corner(const BoundaryFace& face, std::size_t k)
+{
+    return face.inside->vertex(kOutwardCorners[face.index][k]);
+}
+
 BoundaryComplex collect_boundary(const RestrictedDelaunay& restricted)
 {
     BoundaryComplex complex;
@@ -112,6 +86,7 @@ BoundaryComplex collect_boundary(const RestrictedDelaunay& restricted)
 
     // Corners joined across edges are one vertex of the mesh.
     UnionFind corners(3 * faces.size());
+    complex.partner.resize(3 * faces.size());
     for (std::uint32_t f = 0; f < faces.size(); ++f)
     {
         for (std::uint32_t k = 0; k < 3; ++k)
@@ -119,8 +94,10 @@ BoundaryComplex collect_boundary(const RestrictedDelaunay& restricted)
             const VertexHandle a = corner(faces[f], k);
             const VertexHandle b = corner(faces[f], (k + 1) % 3);
             const std::uint32_t partner = face_of_facet[partner_across(faces[f], a, b)];
+            const std::uint32_t corner_b = corner_number(faces, partner, b); // the partner runs from b to a
+            complex.partner[3 * f + k] = corner_b;
             corners.unite(3 * f + k, corner_number(faces, partner, a));
-            corners.unite(3 * f + (k + 1) % 3, corner_number(faces, partner, b));
+            corners.unite(3 * f + (k + 1) % 3, corner_b);
         }
     }
 

@@ -23,18 +23,20 @@ struct BoundaryFace
 struct BoundaryComplex
 {
     std::vector<BoundaryFace> faces;
-    TriangleMesh mesh;                         //!< counter-clockwise seen from outside
+    std::vector<std::uint32_t>
+        partner;       //!< of half-edge 3 f + k of boundary face f: the one it is paired with
+    TriangleMesh mesh; //!< counter-clockwise seen from outside
     std::vector<std::uint32_t> origin_of_face; //!< for each mesh face the boundary face it is (a part of)
     std::vector<VertexHandle>
         vertex_of_copy; //!< for each mesh vertex its Delaunay vertex; null for one inside an edge
 };
 
+//! Corner k of a boundary face, counter-clockwise seen from outside; half-edge k runs from corner k to corner
+//! k + 1.
+VertexHandle corner(const BoundaryFace& face, std::size_t k);
+
 //! Collects the odd facets and pairs them across each edge through the inside cells between them, which takes
 //! inside parts that touch at an edge or a vertex apart. Cost: O(Delaunay cells).
 BoundaryComplex collect_boundary(const RestrictedDelaunay& restricted);
-
-//! Edges that four faces still share, because one umbrella passes them twice at both ends, are cut in the
-//! middle: each inside part gets its own middle vertex. Afterwards every edge has exactly two faces.
-void split_pinched_edges(BoundaryComplex& complex);
 
 } // namespace voroprobe

@@ -1,9 +1,251 @@
 #include "mesher/contact_separation.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "geometry/box3.h"
+#include "mesher/face_crossings.h"
+#include "mesher/vertex_sectors.h"
+
 namespace voroprobe
 {
-std::size_t separate_contacts(BoundaryComplex&)
+namespace
 {
-    return 0;
+
+constexpr int kHalvings = 6;          // of a move whose faces cross others, before it is given up
+constexpr int kDirectionSteps = 200;  // of the search for a direction behind all faces of an umbrella
+constexpr double kLeastMargin = 0.02; // sine of the least angle between a move and the faces it leaves
+
+//! Mesh faces by the Delaunay vertices of the boundary faces they are pieces of.
+class FacesAroundVertices
+{
+public:
+    explicit FacesAroundVertices(const BoundaryComplex& complex)
+    {
+        std::uint32_t last = 0;
+        for (const BoundaryFace& face : complex.faces)
+        {
+            for (std::size_t k = 0; k < 3; ++k)
+                last = std::max(last, corner(face, k)->info().index);
+        }
+        faces_.resize(last + 1);
+        for (std::uint32_t m = 0; m < complex.mesh.faces.size(); ++m)
+        {
+            for (std::size_t k = 0; k < 3; ++k)
+                faces_[corner(complex.faces[complex.origin_of_face[m]], k)->info().index].push_back(m);
+        }
+    }
+
+    [[nodiscard]] const std::vector<std::uint32_t>& of(VertexHandle vertex) const
+    {
+        static const std::vector<std::uint32_t> kNone;
+        const std::uint32_t index = vertex->info().index;
+        return index < faces_.size() ? faces_[index] : kNone;
+    }
+
+private:
+    std::vector<std::vector<std::uint32_t>> faces_;
+};
+
+Vec3 unit_normal(const TriangleMesh& mesh, const TriangleMesh::Face& face)
+{
+    const Point3 a = mesh.corner(face, 0);
+    return normalized(cross(mesh.corner(face, 1) - a, mesh.corner(face, 2) - a));
 }
-void split_pinched_edges(BoundaryComplex&) {}
+
+//! A unit vector whose product with every one of the unit vectors is at least kLeastMargin; nullopt where
+//! none was found. Perceptron: turns towards the vector it satisfies least.
+std::optional<Vec3> direction_along_all(const std::vector<Vec3>& vectors)
+{
+    Vec3 direction;
+    for (const Vec3& vector : vectors)
+        direction += vector;
+    direction = normalized(direction);
+
+    double best_margin = kLeastMargin;
+    std::optional<Vec3> best;
+    for (int step = 0; step < kDirectionSteps; ++step)
+    {
+        const auto worst = std::min_element(vectors.begin(), vectors.end(),
+                                            [&](const Vec3& a, const Vec3& b)
+                                            { return dot(a, direction) < dot(b, direction); });
+        const double margin = dot(*worst, direction);
+        if (margin > best_margin)
+        {
+            best_margin = margin;
+            best = direction;
+        }
+        direction = normalized(direction + (1.0 / (step + 2.0)) * *worst);
+    }
+    return best;
+}
+
+class ContactSeparation
+{
+public:
+    ContactSeparation(const RestrictedDelaunay& restricted, BoundaryComplex& complex)
+        : triangulation_(restricted.triangulation()), complex_(complex), mesh_(complex.mesh), faces_(complex)
+    {
+    }
+
+    void add_moves(const std::vector<Displacement>& moves)
+    {
+        moves_.insert(moves_.end(), moves.begin(), moves.end());
+    }
+
+    //! Plans the moves of the copies of a vertex.
+    void plan(VertexHandle vertex)
+    {
+        std::vector<BoundaryFace> faces;
+        std::vector<std::uint32_t> copies;
+        for (const std::uint32_t m : faces_.of(vertex))
+        {
+            for (const std::uint32_t copy : mesh_.faces[m])
+            {
+                if (complex_.vertex_of_copy[copy] != vertex)
+                    continue;
+                faces.push_back(complex_.faces[complex_.origin_of_face[m]]);
+                copies.push_back(copy);
+            }
+        }
+        std::size_t staying = 0;
+        for (const UmbrellaSides& sides : find_umbrella_sides(triangulation_, vertex, faces, copies))
+        {
+            if (const auto move = plan_move(vertex, sides))
+                moves_.push_back(*move);
+            else
+                ++staying;
+        }
+        report_.unseparated += staying > 1 ? staying - 1 : 0;
+    }
+
+    ContactReport run()
+    {
+        for (const Displacement& move : moves_)
+            apply(move);
+        std::vector<Displacement*> crossing;
+        for (Displacement& move : moves_)
+            crossing.push_back(&move);
+        for (int halving = 0; halving <= kHalvings && !crossing.empty(); ++halving)
+        {
+            std::vector<Displacement*> still_crossing;
+            std::copy_if(crossing.begin(), crossing.end(), std::back_inserter(still_crossing),
+                         [&](const Displacement* move) { return crosses(*move); });
+            for (Displacement* move : still_crossing)
+            {
+                move->length *= halving < kHalvings ? 0.5 : 0.0;
+                apply(*move);
+            }
+            crossing = std::move(still_crossing);
+        }
+        report_.unseparated += crossing.size();
+        report_.separated = moves_.size() - crossing.size();
+        return report_;
+    }
+
+private:
+    std::optional<Displacement> plan_move(VertexHandle vertex, const UmbrellaSides& sides) const
+    {
+        std::vector<Vec3> inward;
+        double shortest = std::numeric_limits<double>::infinity();
+        for (const std::uint32_t m : faces_.of(vertex))
+        {
+            const TriangleMesh::Face& face = mesh_.faces[m];
+            const auto at = std::find(face.begin(), face.end(), sides.copy);
+            if (at == face.end())
+                continue;
+            inward.push_back(-unit_normal(mesh_, face));
+            for (std::size_t k = 0; k < 3; ++k)
+                shortest =
+                    std::min(shortest, distance(mesh_.corner(face, k), mesh_.corner(face, (k + 1) % 3)));
+        }
+        std::optional<Vec3> direction;
+        if (sides.owns_inside)
+            direction = direction_along_all(inward);
+        if (!direction && sides.owns_outside)
+        {
+            for (Vec3& normal : inward)
+                normal = -normal;
+            direction = direction_along_all(inward);
+        }
+        if (!direction)
+            return std::nullopt;
+        return Displacement{sides.copy, vertex, position(vertex), *direction, kHairPerEdge * shortest};
+    }
+
+    void apply(const Displacement& move)
+    {
+        mesh_.vertices[move.vertex] = move.from + move.length * move.direction;
+    }
+
+    //! Whether a face at the moved vertex crosses any other face near it.
+    bool crosses(const Displacement& move)
+    {
+        std::vector<VertexHandle> neighbors{move.near};
+        triangulation_.finite_adjacent_vertices(move.near, std::back_inserter(neighbors));
+        std::vector<std::uint32_t> nearby;
+        for (const VertexHandle neighbor : neighbors)
+            nearby.insert(nearby.end(), faces_.of(neighbor).begin(), faces_.of(neighbor).end());
+        std::sort(nearby.begin(), nearby.end());
+        nearby.erase(std::unique(nearby.begin(), nearby.end()), nearby.end());
+
+        for (const std::uint32_t m : nearby)
+        {
+            const TriangleMesh::Face& moved = mesh_.faces[m];
+            if (std::find(moved.begin(), moved.end(), move.vertex) == moved.end())
+                continue;
+            for (const std::uint32_t other : nearby)
+            {
+                if (other != m && faces_cross(mesh_, moved, mesh_.faces[other]))
+                    return true;
+            }
+        }
+        return false;
+    }
+
+    const Triangulation& triangulation_;
+    BoundaryComplex& complex_;
+    TriangleMesh& mesh_;
+    FacesAroundVertices faces_;
+    std::vector<Displacement> moves_;
+    ContactReport report_;
+};
+
+//! The Delaunay vertices with several copies, in the order of their second ones.
+std::vector<VertexHandle> find_singular_vertices(const BoundaryComplex& complex)
+{
+    std::vector<std::uint8_t> copies;
+    std::vector<VertexHandle> singular;
+    for (const VertexHandle vertex : complex.vertex_of_copy)
+    {
+        if (vertex == VertexHandle())
+            continue;
+        const std::uint32_t index = vertex->info().index;
+        if (index >= copies.size())
+            copies.resize(std::max<std::size_t>(index + 1, 2 * copies.size()), 0);
+        if (copies[index] == 1)
+            singular.push_back(vertex);
+        copies[index] = static_cast<std::uint8_t>(std::min(copies[index] + 1, 2));
+    }
+    return singular;
+}
+
+} // namespace
+
+ContactReport separate_contacts(const RestrictedDelaunay& restricted, BoundaryComplex& complex,
+                                const std::vector<Displacement>& pinched)
+{
+    const auto singular = find_singular_vertices(complex);
+    if (singular.empty() && pinched.empty())
+        return {};
+    ContactSeparation separation(restricted, complex);
+    separation.add_moves(pinched);
+    for (const VertexHandle vertex : singular)
+        separation.plan(vertex);
+    return separation.run();
+}
+
 } // namespace voroprobe

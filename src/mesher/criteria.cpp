@@ -7,13 +7,22 @@
 
 namespace voroprobe
 {
+namespace
+{
+
+// Facets with a smaller ball, in floor radii, are never refined. Refinement for the angle keeps the shortest
+// edge and needs no floor in theory; this bounds it where rounding spoils a ball.
+constexpr double kSmallestBallInFloors = 1.0 / 64.0;
+
+} // namespace
 
 FacetCriteria::FacetCriteria(const MeshingOptions& options)
     : squared_size_(options.max_facet_radius * options.max_facet_radius),
       squared_distance_(options.max_facet_distance ? *options.max_facet_distance * *options.max_facet_distance
                                                    : std::numeric_limits<double>::infinity()),
       squared_sine_of_angle_(std::pow(std::sin(options.min_facet_angle_deg * std::numbers::pi / 180.0), 2)),
-      squared_floor_(options.floor_radius * options.floor_radius)
+      squared_floor_(options.floor_radius * options.floor_radius),
+      squared_smallest_(kSmallestBallInFloors * kSmallestBallInFloors * squared_floor_)
 {
 }
 
@@ -22,7 +31,7 @@ std::optional<Badness> FacetCriteria::badness(const RestrictedFacet& facet,
 {
     if (facet.crossing_count > 1 && !at_floor(facet))
         return Badness::kUnresolved;
-    if (!facet.odd())
+    if (!facet.odd() || facet.squared_radius <= squared_smallest_)
         return std::nullopt;
     if (facet.squared_radius > squared_size_)
         return Badness::kSize;

@@ -43,6 +43,7 @@ private:
     double squared_distance_;
     double squared_sine_of_angle_;
     double squared_floor_;
+    double squared_smallest_;
 };
 
 } // namespace voroprobe

@@ -22,8 +22,9 @@ std::uint8_t capped_count(std::size_t count)
 
 } // namespace
 
-RestrictedDelaunay::RestrictedDelaunay(const SurfaceOracle& oracle, MeshingStatistics& statistics)
-    : oracle_(oracle), statistics_(statistics)
+RestrictedDelaunay::RestrictedDelaunay(const SurfaceOracle& oracle, double least_separation,
+                                       MeshingStatistics& statistics)
+    : oracle_(oracle), squared_least_separation_(least_separation * least_separation), statistics_(statistics)
 {
     insert_sentinels();
 }
@@ -97,12 +98,10 @@ VertexHandle RestrictedDelaunay::insert(const Point3& p, DelaunayCell start, Ver
 
 DelaunayCell RestrictedDelaunay::locate_conflict(const Point3& p, VertexHandle hint) const
 {
-    Triangulation::Locate_type type;
-    int i = 0;
-    int j = 0;
     const DelaunayCell near = hint == VertexHandle() ? DelaunayCell() : hint->cell();
-    const DelaunayCell found = triangulation_.locate(cgal_point(p), type, i, j, near);
-    return type == Triangulation::VERTEX ? DelaunayCell() : found;
+    const DelaunayCell found = triangulation_.locate(cgal_point(p), near);
+    const VertexHandle nearest = triangulation_.nearest_vertex(cgal_point(p), found);
+    return squared_distance(position(nearest), p) <= squared_least_separation_ ? DelaunayCell() : found;
 }
 
 // Before the zone is retriangulated: facets inside it vanish, those on its boundary are remembered from the

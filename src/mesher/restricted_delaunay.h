@@ -40,8 +40,9 @@ struct RestrictedFacet
 class RestrictedDelaunay
 {
 public:
-    //! `statistics` counts insertions, queries and look-ups; both arguments must outlive the object.
-    RestrictedDelaunay(const SurfaceOracle& oracle, MeshingStatistics& statistics);
+    //! `statistics` counts insertions, queries and look-ups; both references must outlive the object. Points
+    //! that have to be located are refused where they are closer than `least_separation` to a vertex.
+    RestrictedDelaunay(const SurfaceOracle& oracle, double least_separation, MeshingStatistics& statistics);
 
     //! Inserts a point of the surface. `start`: a Delaunay cell in conflict with it, or a null handle to have
     //! it located from `hint`. Returns a null handle, and changes nothing, where the point coincides with a
@@ -95,6 +96,7 @@ private:
     void release_facet(FacetId id);
 
     const SurfaceOracle& oracle_;
+    double squared_least_separation_;
     MeshingStatistics& statistics_;
     Triangulation triangulation_;
     std::vector<RestrictedFacet> facets_;

@@ -20,11 +20,15 @@ namespace voroprobe
 namespace
 {
 
+// Points of initialize_component() nearer than this to a vertex, in floor radii, would only make slivers.
+constexpr double kLeastSeparationInFloors = 1.0 / 64.0;
+
 class SeededMesher
 {
 public:
     SeededMesher(const SurfaceOracle& oracle, const MeshingOptions& options, ProgressSink* progress)
-        : oracle_(oracle), options_(options), progress_(progress), restricted_(oracle, statistics_),
+        : oracle_(oracle), options_(options), progress_(progress),
+          restricted_(oracle, kLeastSeparationInFloors * options.floor_radius, statistics_),
           refinement_(restricted_, options_, statistics_, progress)
     {
     }

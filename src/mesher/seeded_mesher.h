@@ -36,8 +36,9 @@ struct MeshingStatistics
 
     std::size_t facets_at_floor =
         0; //!< facets that break a criterion, kept because they are as small as the floor
-    std::size_t vertices_split = 0;  //!< non-manifold vertices and edges taken apart at the end
-    double seconds_refinement = 0.0; //!< wall clock, refinement and seeding together
+    std::size_t contacts_separated = 0;   //!< vertices moved by a hair where the surface touched itself
+    std::size_t contacts_unseparated = 0; //!< vertices that still stand at one place with another
+    double seconds_refinement = 0.0;      //!< wall clock, refinement and seeding together
 };
 
 struct MeshingResult

@@ -1,15 +1,13 @@
 #include "mesher/surface_extraction.h"
 
-#include <algorithm>
-#include <array>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 #include "mesher/boundary_complex.h"
 #include "mesher/contact_separation.h"
+#include "mesher/pinched_edges.h"
 
 namespace voroprobe
 {
@@ -50,8 +48,10 @@ TriangleMesh extract_surface(const RestrictedDelaunay& restricted, const Meshing
                              MeshingStatistics& statistics)
 {
     BoundaryComplex complex = collect_boundary(restricted);
-    split_pinched_edges(complex);
-    statistics.vertices_split = separate_contacts(complex);
+    const auto pinched = split_pinched_edges(complex);
+    const ContactReport contacts = separate_contacts(restricted, complex, pinched);
+    statistics.contacts_separated = contacts.separated;
+    statistics.contacts_unseparated = contacts.unseparated;
     TriangleMesh mesh = std::move(complex.mesh);
     if (!options.close_border)
         open_border(complex, mesh);
