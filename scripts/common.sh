@@ -53,3 +53,18 @@ compile()
     fi
     quietly "building" cmake "${arguments[@]}"
 }
+
+# require_clang_tool NAME: ends with 77, which ctest counts as skipped, unless the version is there that the tree is kept
+# with. Other versions format otherwise and find other things.
+require_clang_tool()
+{
+    local wanted=14
+    if ! command -v "$1" >/dev/null; then
+        echo "skipped: $1 is not installed"
+        exit 77
+    fi
+    if ! "$1" --version | grep --quiet "version $wanted\."; then
+        echo "skipped: $1 is not version $wanted"
+        exit 77
+    fi
+}
