@@ -4,10 +4,11 @@
 #include <cctype>
 #include <string>
 
+#include "io/mesh_file.h"
+#include "io/mesh_ply_reader.h"
 #include "io/mesh_text_reader.h"
 #include "io/mesh_vtk.h"
 #include "mesh/topology.h"
-#include "support/error.h"
 
 namespace voroprobe
 {
@@ -17,21 +18,16 @@ namespace fs = std::filesystem;
 namespace
 {
 
-[[noreturn]] void fail(const fs::path& path, const std::string& reason)
-{
-    throw InputError("cannot read '" + path.string() + "': " + reason);
-}
-
 void check_file(const fs::path& path)
 {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (!fs::exists(status))
-        fail(path, "there is no such file");
+        fail_reading(path, "there is no such file");
     if (!fs::is_regular_file(status))
-        fail(path, "it is not a file");
+        fail_reading(path, "it is not a file");
     if (fs::file_size(path, error) == 0)
-        fail(path, "the file is empty");
+        fail_reading(path, "the file is empty");
 }
 
 std::string lower_case_extension(const fs::path& path)
@@ -45,25 +41,28 @@ TriangleMesh read_as_stored(const fs::path& path)
 {
     const std::string extension = lower_case_extension(path);
     if (extension == ".stl")
-        return read_with_vtk(path, VtkMeshFormat::kStl);
+        return read_stl(path);
     if (extension == ".ply")
-        return read_with_vtk(path, VtkMeshFormat::kPly);
+        return read_ply(path);
     if (extension == ".vtp")
-        return read_with_vtk(path, VtkMeshFormat::kVtp);
+        return read_vtp(path);
     if (extension == ".obj")
         return read_obj(path);
     if (extension == ".off")
         return read_off(path);
-    fail(path, "unknown extension '" + extension + "'; known: .stl, .ply, .obj, .off, .vtp");
+    fail_reading(path, "unknown extension '" + extension + "'; known: .stl, .ply, .obj, .off, .vtp");
 }
 
 void check_mesh(const TriangleMesh& mesh, const fs::path& path)
 {
     if (mesh.faces.empty())
-        fail(path, "it holds no faces");
+        fail_reading(path, "it holds no faces");
     if (!std::all_of(mesh.vertices.begin(), mesh.vertices.end(),
                      [](const Point3& p) { return is_finite(p); }))
-        fail(path, "it holds a vertex with a coordinate that is not a finite number");
+        fail_reading(path, "it holds a vertex with a coordinate that is not a finite number");
+    for (const TriangleMesh::Face& face : mesh.faces)
+        if (*std::max_element(face.begin(), face.end()) >= mesh.vertices.size())
+            fail_reading(path, "a face names a vertex that is not in the file");
 }
 
 } // namespace

@@ -1,14 +1,12 @@
 #include "io/mesh_text_reader.h"
 
-#include <charconv>
-#include <fstream>
+#include <algorithm>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "support/error.h"
+#include "io/mesh_file.h"
 
 namespace voroprobe
 {
@@ -17,16 +15,6 @@ namespace fs = std::filesystem;
 
 namespace
 {
-
-std::string read_whole(const fs::path& path)
-{
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream content;
-    content << in.rdbuf();
-    if (!in)
-        throw InputError("cannot read '" + path.string() + "': the file could not be read in full");
-    return std::move(content).str();
-}
 
 //! Words of a line, and numbers as their programs wrote them whatever the locale.
 class Line
@@ -48,17 +36,7 @@ public:
     template <typename Number>
     std::optional<Number> number()
     {
-        return parse<Number>(word());
-    }
-
-    template <typename Number>
-    static std::optional<Number> parse(std::string_view digits)
-    {
-        digits.remove_prefix(digits.starts_with('+') ? 1 : 0); // from_chars takes none
-        Number value{};
-        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-        const bool whole = error == std::errc{} && end == digits.data() + digits.size();
-        return whole ? std::optional(value) : std::nullopt;
+        return parse_number<Number>(word());
     }
 
 private:
@@ -96,8 +74,7 @@ public:
 
     [[noreturn]] void fail(const std::string& reason) const
     {
-        throw InputError("cannot read '" + path_.string() + "': line " + std::to_string(number_) + " " +
-                         reason);
+        fail_reading(path_, "line " + std::to_string(number_) + " " + reason);
     }
 
     //! A file of n bytes holds fewer than n vertices or faces: what its header says need not be believed.
@@ -119,14 +96,7 @@ Point3 read_point(Line& line, const LineReader& file)
     return {*x, *y, *z};
 }
 
-void append_fan(std::vector<TriangleMesh::Face>& faces, const std::vector<std::uint32_t>& polygon)
-{
-    for (std::size_t i = 2; i < polygon.size(); ++i)
-        faces.push_back({polygon[0], polygon[i - 1], polygon[i]});
-}
-
-// ---- OFF
-// ------------------------------------------------------------------------------------------------------------
+// ---- OFF ----
 
 struct OffCounts
 {
@@ -149,7 +119,7 @@ OffCounts read_off_header(LineReader& file)
     std::optional<Line> second;
     if (word.empty())
         word = second.emplace(file.next_with_content("the number of vertices")).word();
-    const auto vertices = Line::parse<std::size_t>(word);
+    const auto vertices = parse_number<std::size_t>(word);
     const auto faces = (second ? *second : first).number<std::size_t>();
     if (!vertices || !faces)
         file.fail("does not hold the numbers of vertices and faces");
@@ -176,16 +146,15 @@ std::vector<std::uint32_t> read_off_polygon(LineReader& file, std::size_t vertex
     return polygon;
 }
 
-// ---- OBJ
-// ------------------------------------------------------------------------------------------------------------
+// ---- OBJ ----
 
 //! "7", "7/1", "7//2", "7/1/2", or counted back from the newest vertex: "-1".
 std::uint32_t obj_vertex(std::string_view word, std::size_t vertex_count, const LineReader& file)
 {
-    const auto number = Line::parse<long long>(word.substr(0, word.find('/')));
+    const auto number = parse_number<long long>(word.substr(0, word.find('/')));
     const auto count = static_cast<long long>(vertex_count);
     if (!number || *number == 0 || *number > count || *number < -count)
-        file.fail("names the vertex '" + std::string(word) + "'; 1 to " + std::to_string(count) +
+        file.fail("names the vertex " + in_quotes(word) + "; 1 to " + std::to_string(count) +
                   " are defined so far");
     return static_cast<std::uint32_t>(*number > 0 ? *number - 1 : count + *number);
 }
@@ -204,7 +173,7 @@ std::vector<std::uint32_t> read_obj_polygon(Line& line, std::size_t vertex_count
 
 TriangleMesh read_off(const fs::path& path)
 {
-    const std::string text = read_whole(path);
+    const std::string text = read_whole_file(path);
     LineReader file(path, text);
     const OffCounts counts = read_off_header(file);
 
@@ -223,7 +192,7 @@ TriangleMesh read_off(const fs::path& path)
 
 TriangleMesh read_obj(const fs::path& path)
 {
-    const std::string text = read_whole(path);
+    const std::string text = read_whole_file(path);
     LineReader file(path, text);
     TriangleMesh mesh;
     while (const auto content = file.next())

@@ -1,17 +1,19 @@
 #include "io/mesh_vtk.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <limits>
-#include <type_traits>
+#include <optional>
+#include <string_view>
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
-#include <vtkPLYReader.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSTLReader.h>
@@ -20,6 +22,7 @@
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include "io/mesh_file.h"
 #include "io/vtk_messages.h"
 #include "support/error.h"
 
@@ -29,8 +32,7 @@ namespace voroprobe
 namespace
 {
 
-// ---- Writing
-// --------------------------------------------------------------------------------------------------------
+// ---- Writing ----
 
 //! The vertices as VTK sees them: the same memory, not a copy.
 vtkSmartPointer<vtkPoints> points_over(const std::vector<Point3>& vertices)
@@ -77,38 +79,7 @@ vtkSmartPointer<vtkStringArray> string_array(const std::vector<std::string>& com
     return array;
 }
 
-// ---- Reading
-// --------------------------------------------------------------------------------------------------------
-
-template <typename Reader>
-vtkSmartPointer<vtkPolyData> run_reader(const std::filesystem::path& path)
-{
-    vtkNew<Reader> reader;
-    if constexpr (std::is_same_v<Reader, vtkSTLReader>)
-        reader->MergingOff(); // we weld ourselves, keeping all faces
-    reader->SetFileName(path.c_str());
-    reader->Update();
-    return reader->GetOutput();
-}
-
-vtkSmartPointer<vtkPolyData> run_reader(const std::filesystem::path& path, VtkMeshFormat format)
-{
-    switch (format)
-    {
-    case VtkMeshFormat::kStl:
-        return run_reader<vtkSTLReader>(path);
-    case VtkMeshFormat::kPly:
-        return run_reader<vtkPLYReader>(path);
-    case VtkMeshFormat::kVtp:
-        return run_reader<vtkXMLPolyDataReader>(path);
-    }
-    return nullptr;
-}
-
-[[noreturn]] void fail_reading(const std::filesystem::path& path, const std::string& reason)
-{
-    throw InputError("cannot read '" + path.string() + "': " + reason);
-}
+// ---- Reading ----
 
 bool indices_are_valid(vtkPolyData& data)
 {
@@ -161,6 +132,43 @@ TriangleMesh mesh_of(vtkPolyData& data)
     return mesh;
 }
 
+//! Runs a reader of VTK's that has no file name yet.
+template <typename Reader>
+TriangleMesh read_with(Reader& reader, const std::filesystem::path& path)
+{
+    const VtkMessages messages;
+    reader.SetFileName(path.c_str());
+    reader.Update();
+    if (!messages.first_error().empty())
+        fail_reading(path, messages.first_error());
+
+    vtkPolyData* data = reader.GetOutput();
+    if (data == nullptr || data->GetNumberOfPolys() + data->GetNumberOfStrips() == 0)
+        fail_reading(path, "it holds no faces");
+    if (data->GetNumberOfPoints() > std::numeric_limits<std::uint32_t>::max())
+        fail_reading(path, "it holds too many vertices");
+    if (!indices_are_valid(*data))
+        fail_reading(path, "a face names a vertex that is not in the file");
+    return mesh_of(*data);
+}
+
+//! The number of faces a binary STL file announces; nullopt for text, which begins with "solid" and, unlike
+//! some binary files that do too, is not exactly as long as the number there would make it.
+std::optional<std::uint32_t> announced_faces(const std::filesystem::path& path)
+{
+    constexpr std::uintmax_t kHeaderBytes = 84;
+    constexpr std::uintmax_t kFaceBytes = 50;
+    std::array<unsigned char, kHeaderBytes> header{};
+    std::ifstream in(path, std::ios::binary);
+    in.read(reinterpret_cast<char*>(header.data()), std::ssize(header));
+    const std::uint32_t count = header[80] | header[81] << 8U | header[82] << 16U |
+                                static_cast<std::uint32_t>(header[83]) << 24U; // little endian
+    const bool begins_like_text =
+        std::string_view(reinterpret_cast<const char*>(header.data()), 5) == "solid";
+    const bool has_that_length = std::filesystem::file_size(path) == kHeaderBytes + kFaceBytes * count;
+    return begins_like_text && !has_that_length ? std::nullopt : std::optional(count);
+}
+
 } // namespace
 
 void write_vtp(const TriangleMesh& mesh, const std::filesystem::path& temporary,
@@ -185,19 +193,28 @@ void write_vtp(const TriangleMesh& mesh, const std::filesystem::path& temporary,
     throw OutputError("cannot write '" + path.string() + "': " + system);
 }
 
-TriangleMesh read_with_vtk(const std::filesystem::path& path, VtkMeshFormat format)
+TriangleMesh read_stl(const std::filesystem::path& path)
 {
-    const VtkMessages messages;
-    const vtkSmartPointer<vtkPolyData> data = run_reader(path, format);
-    if (!messages.first_error().empty())
-        fail_reading(path, messages.first_error());
-    if (data == nullptr || data->GetNumberOfPolys() + data->GetNumberOfStrips() == 0)
-        fail_reading(path, "it holds no faces");
-    if (data->GetNumberOfPoints() > std::numeric_limits<std::uint32_t>::max() / 3)
-        fail_reading(path, "it holds too many vertices");
-    if (!indices_are_valid(*data))
-        fail_reading(path, "a face names a vertex that is not in the file");
-    return mesh_of(*data);
+    const vtkNew<vtkSTLReader> reader;
+    reader->MergingOff(); // VTK would drop the faces that collapse
+    TriangleMesh mesh = read_with(*reader, path);
+
+    // VTK takes whatever faces there are, including bytes behind the last one announced.
+    if (const auto count = announced_faces(path))
+    {
+        if (mesh.faces.size() < *count)
+            fail_reading(path, "it is shorter than its header says: " + std::to_string(mesh.faces.size()) +
+                                   " of " + std::to_string(*count) + " faces");
+        mesh.faces.resize(*count);
+        mesh.vertices.resize(3 * std::size_t{*count});
+    }
+    return mesh;
+}
+
+TriangleMesh read_vtp(const std::filesystem::path& path)
+{
+    const vtkNew<vtkXMLPolyDataReader> reader;
+    return read_with(*reader, path);
 }
 
 } // namespace voroprobe

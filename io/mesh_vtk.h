@@ -15,16 +15,12 @@ namespace voroprobe
 void write_vtp(const TriangleMesh& mesh, const std::filesystem::path& temporary,
                const std::filesystem::path& path, const std::vector<std::string>& comments);
 
-//! The formats VTK's readers know. They keep every face, also where the mesh is not manifold.
-enum class VtkMeshFormat
-{
-    kStl,
-    kPly,
-    kVtp
-};
+//! Reads STL, binary or text, as a soup: three vertices of its own for every face. \throw InputError with
+//! VTK's reason.
+TriangleMesh read_stl(const std::filesystem::path& path);
 
-//! Reads polygons, cut into fans of triangles, and strips; vertices as they are in the file. Indices are
-//! checked, coordinates are not. \throw InputError with VTK's reason.
-TriangleMesh read_with_vtk(const std::filesystem::path& path, VtkMeshFormat format);
+//! Reads VTK's XML poly data: strips, and polygons cut into fans of triangles; vertices as they are in the
+//! file. \throw InputError with VTK's reason.
+TriangleMesh read_vtp(const std::filesystem::path& path);
 
 } // namespace voroprobe

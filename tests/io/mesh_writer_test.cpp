@@ -52,8 +52,7 @@ bool contains(const std::string& text, const std::string& part)
     return text.find(part) != std::string::npos;
 }
 
-// ---- Formats
-// --------------------------------------------------------------------------------------------------------
+// ---- Formats ----
 
 TEST(MeshFormat, is_told_by_the_extension_in_any_case)
 {
@@ -83,8 +82,7 @@ TEST(MeshFormat, an_unknown_one_is_a_usage_error_that_lists_the_known)
     EXPECT_THROW(mesh_format("mesh.stl", ""), UsageError);
 }
 
-// ---- Contents
-// -------------------------------------------------------------------------------------------------------
+// ---- Contents ----
 
 TEST(MeshWriter, a_binary_stl_says_its_size_and_does_not_pose_as_text)
 {
@@ -176,8 +174,7 @@ TEST(MeshWriter, the_number_of_nudged_vertices_is_reported)
               0U); // 64-bit floats
 }
 
-// ---- Whole or not at all
-// --------------------------------------------------------------------------------------------
+// ---- Whole or not at all ----
 
 TEST(MeshWriter, an_older_file_is_replaced_and_nothing_is_left_beside_it)
 {
@@ -263,8 +260,7 @@ TEST(MeshWriter, a_mesh_that_cannot_be_written_leaves_the_older_file_alone)
     EXPECT_EQ(count_files(folder.path()), 1U);
 }
 
-// ---- Told before
-// ----------------------------------------------------------------------------------------------------
+// ---- Told before ----
 
 TEST(CheckWritable, a_usable_path_passes_and_nothing_is_left)
 {
