@@ -38,7 +38,7 @@ std::string padded(const std::string& text, std::size_t width, bool right)
     return right ? blanks + text : text + blanks;
 }
 
-std::string percent_text(double share)
+std::string share_text(double share)
 {
     char text[16];
     std::snprintf(text, sizeof(text), "%7.3f %%", 100.0 * share);
@@ -76,7 +76,7 @@ std::string histogram_view(const VolumeStatistics& statistics, const std::vector
         const double low = row_start(row);
         const double share = static_cast<double>(counts[row]) / static_cast<double>(total);
         view += padded(number_text(low), 12, true) + " |" +
-                padded(bar(counts[row], largest), kLongestBar, false) + percent_text(share) +
+                padded(bar(counts[row], largest), kLongestBar, false) + share_text(share) +
                 marks_in_row(marks, low, row_start(row + 1)) + '\n';
     }
     return view;

@@ -39,7 +39,8 @@ int run(int argc, const char* const* argv)
 {
     CLI::App app("Closed, well-shaped meshes of 3D scans by self-seeding Delaunay refinement.", "voroprobe");
     app.set_version_flag("--version", "voroprobe " VOROPROBE_VERSION, "Print the version and exit");
-    app.require_subcommand(1);
+    app.require_subcommand(0,
+                           1); // more than one is refused; none is told below, after what was not understood
     app.footer(
         "Exit status: 0 done, 1 internal error or output not writable, 2 usage, 3 input, 4 empty surface,\n"
         "5 mesh not as promised, 6 out of memory or budget, 130 interrupted.");
@@ -63,6 +64,8 @@ int run(int argc, const char* const* argv)
         voroprobe::run_mesh_command(mesh_arguments);
     if (info.parsed())
         voroprobe::run_info_command(info_arguments);
+    if (!mesh.parsed() && !info.parsed())
+        throw voroprobe::UsageError("a command is required: mesh or info (see voroprobe --help)");
     return static_cast<int>(ExitStatus::kDone);
 }
 

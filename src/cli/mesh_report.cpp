@@ -1,5 +1,7 @@
 #include "cli/mesh_report.h"
 
+#include <cmath>
+
 #include "cli/info_text.h"
 #include "cli/number_text.h"
 #include "support/memory.h"
@@ -60,8 +62,10 @@ std::string angles_text(const MeshRun& run)
 
 std::string box_text(const Box3& box, OutputFrame frame)
 {
-    const auto range = [&](std::size_t axis)
-    { return number_text(box.min[axis]) + " .. " + number_text(box.max[axis]); };
+    // A coordinate that is zero but for rounding would be shown with all its noise.
+    const double rounding = 1e-12 * box.diagonal();
+    const auto shown = [&](double x) { return number_text(std::abs(x) < rounding ? 0.0 : x); };
+    const auto range = [&](std::size_t axis) { return shown(box.min[axis]) + " .. " + shown(box.max[axis]); };
     return "x " + range(0) + ", y " + range(1) + ", z " + range(2) + ' ' + std::string(frame_unit(frame)) +
            " (" + std::string(frame_name(frame)) + ')';
 }

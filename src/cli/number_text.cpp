@@ -36,6 +36,11 @@ std::string triple_text(const Vec3& values, const std::string& separator)
     return number_text(values.x) + separator + number_text(values.y) + separator + number_text(values.z);
 }
 
+std::string percent_text(double share)
+{
+    return printed("%.3g %%", 100.0 * share);
+}
+
 std::string seconds_text(double seconds)
 {
     return printed("%.2f s", seconds);

@@ -17,6 +17,9 @@ std::string count_text(std::size_t count);
 //! Three numbers with a word between: "3.2 x 3.2 x 1.5".
 std::string triple_text(const Vec3& values, const std::string& separator = " x ");
 
+//! A share of 1 as a percentage with three significant digits: "37.2 %".
+std::string percent_text(double share);
+
 //! Seconds with two decimals and the unit: "1.25 s".
 std::string seconds_text(double seconds);
 

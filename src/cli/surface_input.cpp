@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 
 #include "cli/number_text.h"
 #include "oracles/vdb_oracle.h"
@@ -20,9 +19,9 @@ constexpr double kSuspiciousBorderShare = 0.5;
 std::string mistaken_sides_warning(double share, InsideIs inside)
 {
     const std::string other = inside == InsideIs::kAbove ? "below" : "above";
-    return number_text(std::round(1000.0 * share) / 10.0) +
-           " % of the samples on the border of the volume are inside the object; if it is what lies " +
-           other + " the isovalue, give --inside " + other;
+    return percent_text(share) +
+           " of the samples on the border of the volume are inside the object; if it is what lies " + other +
+           " the isovalue, give --inside " + other;
 }
 
 SurfaceInput load_volume_surface(const SurfaceRequest& request)

@@ -36,6 +36,15 @@ std::vector<SuggestedIsovalue> suggestions_for(const Volume& volume, const Volum
     return suggestions;
 }
 
+//! Fractions on both sides of 0 and a border that is nearly all positive: scans of matter have air or nothing
+//! around them, and that is at most 0 in the units scanners use.
+bool looks_like_signed_distance(const Volume& volume, const VolumeStatistics& statistics)
+{
+    constexpr double kLargestNegativeBorderShare = 0.05;
+    return !statistics.integer_valued && statistics.min < 0.0 && statistics.max > 0.0 &&
+           border_share_inside(volume, 0.0, InsideIs::kBelow) <= kLargestNegativeBorderShare;
+}
+
 std::string distinct_text(std::size_t distinct_values)
 {
     return distinct_values == 0 ? "more than 4096" : count_text(distinct_values);
@@ -46,8 +55,8 @@ std::string suggestion_lines(const std::vector<SuggestedIsovalue>& suggestions)
     std::string text;
     for (const SuggestedIsovalue& s : suggestions)
         text += info_line(text.empty() ? "isovalues" : "", number_text(s.value) + " (" + s.source +
-                                                               "): " + number_text(100.0 * s.share_inside) +
-                                                               " % of the voxels inside");
+                                                               "): " + percent_text(s.share_inside) +
+                                                               " of the voxels inside");
     return text.empty() ? info_line("isovalues", "none separates the samples") : text;
 }
 
@@ -74,6 +83,7 @@ VolumeInfo volume_info(const std::filesystem::path& path, const ReadOptions& opt
         .suggestions = {},
         .warnings = std::move(read.warnings)};
     info.label_map = looks_like_label_map(read.volume, info.statistics);
+    info.signed_distance = looks_like_signed_distance(read.volume, info.statistics);
     info.suggestions = suggestions_for(read.volume, info.statistics, info.label_map);
     return info;
 }
@@ -93,6 +103,8 @@ std::string volume_info_text(const VolumeInfo& info)
     if (info.label_map)
         text +=
             info_line("note", "looks like a label map: give --isovalue, 0.5 for everything that is not 0");
+    if (info.signed_distance)
+        text += info_line("note", "looks like a signed distance: give --isovalue 0 --inside below");
     text += suggestion_lines(info.suggestions);
     const std::string histogram = histogram_view(statistics, marks_for(info.suggestions));
     return histogram.empty()
@@ -116,6 +128,7 @@ std::string volume_info_json(const VolumeInfo& info)
     json["distinct_values"] =
         statistics.distinct_values > 0 ? Json(statistics.distinct_values) : Json(nullptr);
     json["label_map"] = info.label_map;
+    json["signed_distance"] = info.signed_distance;
     json["suggested_isovalues"] = suggestions;
     json["histogram"] = statistics.histogram;
     json["warnings"] = info.warnings;

@@ -26,7 +26,8 @@ struct VolumeInfo
     std::string stored_type;
     FileLattice lattice;
     VolumeStatistics statistics;
-    bool label_map = false; //!< the samples look like names of regions
+    bool label_map = false;       //!< the samples look like names of regions
+    bool signed_distance = false; //!< the samples look like distances that are negative inside
     std::vector<SuggestedIsovalue> suggestions;
     std::vector<std::string> warnings;
 };

@@ -1,3 +1,4 @@
+#include <csignal>
 #include <limits>
 
 #include "program_fixture.h"
@@ -100,6 +101,38 @@ TEST_F(ExitStatusTest, a_spent_budget_is_6_and_the_partial_mesh_is_written_and_f
     EXPECT_TRUE(std::filesystem::exists(folder / "out.stl"));
     EXPECT_NE(program::read_text(folder / "out.json").find("\"status\": \"partial\""), std::string::npos);
     EXPECT_NE(outcome.out.find("(partial)"), std::string::npos) << outcome.out;
+}
+
+//! A volume of zeros whose samples take no room on the disk.
+void write_sparse_volume(const std::filesystem::path& header, std::size_t side)
+{
+    const std::string raw = header.stem().string() + ".raw";
+    program::write_text(header, "ObjectType = Image\nNDims = 3\nDimSize = " + std::to_string(side) + ' ' +
+                                    std::to_string(side) + ' ' + std::to_string(side) +
+                                    "\nElementType = MET_UCHAR\nElementDataFile = " + raw + '\n');
+    program::write_text(header.parent_path() / raw, "");
+    std::filesystem::resize_file(header.parent_path() / raw, side * side * side);
+}
+
+TEST_F(ExitStatusTest, out_of_memory_is_6)
+{
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "the sanitizers need the address space that this test takes away";
+#endif
+    write_sparse_volume(folder / "big.mhd", 1500);
+    const program::Limits limits{.address_space =
+                                     2'000'000'000}; // less than the samples, more than the libraries
+    expect_refusal(run({"mesh", folder / "big.mhd", "-o", folder / "out.stl"}, limits), 6, "out of memory");
+}
+
+TEST_F(ExitStatusTest, a_signal_while_reading_is_130)
+{
+    write_sparse_volume(folder / "zeros.mhd", 600);
+    const auto reads = [](const std::string& err) { return err.find("\"read\"") != std::string::npos; };
+    const Outcome outcome = program::run_and_signal(
+        {"mesh", folder / "zeros.mhd", "-o", folder / "out.stl", "--progress", "json"}, SIGINT, reads);
+    EXPECT_EQ(outcome.status, 130) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out.stl"));
 }
 
 TEST_F(ExitStatusTest, an_older_mesh_survives_every_refusal)

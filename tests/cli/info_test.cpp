@@ -94,6 +94,17 @@ TEST_F(InfoTest, a_label_map_is_called_one)
     EXPECT_NE(run({"info", folder / "labels.mha"}).out.find("label map"), std::string::npos);
 }
 
+TEST_F(InfoTest, a_signed_distance_is_called_one)
+{
+    Phantom distances = ball_phantom();
+    distances.field = [](const Point3& p) { return distance(p, {11.5, 11.5, 11.5}) - 8.0; };
+    write_phantom(distances, folder / "distances.mha");
+    EXPECT_EQ(info_of(folder / "distances.mha").at("signed_distance"), true);
+    EXPECT_NE(run({"info", folder / "distances.mha"}).out.find("--isovalue 0 --inside below"),
+              std::string::npos);
+    EXPECT_EQ(info_of(folder / "ball.mha").at("signed_distance"), false); // the other way round
+}
+
 TEST_F(InfoTest, a_constant_volume_has_no_suggestion)
 {
     Phantom constant = ball_phantom();

@@ -23,6 +23,12 @@ TEST(NumberText, counts_are_grouped_by_thousands)
     EXPECT_EQ(count_text(1234567), "1,234,567");
 }
 
+TEST(NumberText, shares_are_percentages)
+{
+    EXPECT_EQ(percent_text(0.372055), "37.2 %");
+    EXPECT_EQ(percent_text(1.0), "100 %");
+}
+
 TEST(NumberText, bytes_take_the_unit_that_fits)
 {
     EXPECT_EQ(bytes_text(0), "0 bytes");

@@ -118,8 +118,9 @@ TEST_F(OutputTest, inside_below_turns_the_object_over)
     write_phantom(signed_distance, folder / "distance.mha");
 
     const double ball_volume = 4.0 / 3.0 * 3.14159265 * 512.0;
-    EXPECT_NEAR(enclosed_volume(meshed("distance.mha", "below.ply", {"--inside", "below"})), ball_volume,
-                0.05 * ball_volume);
+    EXPECT_NEAR(enclosed_volume(meshed("distance.mha", "below.ply",
+                                       {"--inside", "below", "--size", "1", "--distance", "0.1"})),
+                ball_volume, 0.05 * ball_volume);
     const auto above = run({"mesh", folder / "distance.mha", "-o", folder / "above.ply", "--isovalue", "0"});
     EXPECT_EQ(above.status, 0) << above.err;
     EXPECT_NE(above.err.find("voroprobe: warning: 100 % of the samples on the border"), std::string::npos)
