@@ -1,6 +1,8 @@
 #include "bench/isolated_run.h"
 
+#include <cerrno>
 #include <cstring>
+#include <ctime>
 #include <exception>
 #include <iostream>
 #include <stdexcept>
@@ -39,6 +41,13 @@ void add_checks(const TriangleMesh& mesh, double angle_bound_deg, RunRecord& rec
     record.area = area(mesh);
 }
 
+double cpu_seconds()
+{
+    timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
 RunRecord run(const Entry& entry, const MeshingTask& task, Checks checks)
 {
     const auto contestant = entry.make(task);
@@ -46,9 +55,11 @@ RunRecord run(const Entry& entry, const MeshingTask& task, Checks checks)
     RunRecord record;
     const std::size_t before = peak_memory_bytes();
 
+    const double cpu_before = cpu_seconds();
     const Stopwatch stopwatch;
     contestant->mesh();
-    record.seconds = stopwatch.seconds();
+    record.wall_seconds = stopwatch.seconds();
+    record.cpu_seconds = cpu_seconds() - cpu_before;
 
     record.peak_memory_bytes = peak_memory_bytes() - before;
     const TriangleMesh mesh = contestant->result();

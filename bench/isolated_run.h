@@ -10,7 +10,8 @@ namespace voroprobe::bench
 //! Facts about one run. Plain data: it travels through a pipe.
 struct RunRecord
 {
-    double seconds = 0.0;              //!< of Contestant::mesh()
+    double wall_seconds = 0.0;         //!< of Contestant::mesh()
+    double cpu_seconds = 0.0;          //!< the same, processor time of all threads
     std::size_t peak_memory_bytes = 0; //!< that mesh() added to what was in memory before it
     std::size_t vertices = 0;
     std::size_t faces = 0;
