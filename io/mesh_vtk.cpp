@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <limits>
 #include <optional>
 #include <string_view>
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
-#include <vtkErrorCode.h>
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
@@ -171,8 +168,7 @@ std::optional<std::uint32_t> announced_faces(const std::filesystem::path& path)
 
 } // namespace
 
-void write_vtp(const TriangleMesh& mesh, const std::filesystem::path& temporary,
-               const std::filesystem::path& path, const std::vector<std::string>& comments)
+void write_vtp(const TriangleMesh& mesh, std::ostream& out, const std::vector<std::string>& comments)
 {
     vtkNew<vtkPolyData> data;
     data->SetPoints(points_over(mesh.vertices));
@@ -180,17 +176,16 @@ void write_vtp(const TriangleMesh& mesh, const std::filesystem::path& temporary,
     if (!comments.empty())
         data->GetFieldData()->AddArray(string_array(comments));
 
+    // Into memory first: VTK's own file output cannot be trusted to say why it failed.
     const VtkMessages messages;
-    vtkNew<vtkXMLPolyDataWriter> writer;
+    const vtkNew<vtkXMLPolyDataWriter> writer;
     writer->SetInputData(data);
-    writer->SetFileName(temporary.c_str());
+    writer->WriteToOutputStringOn();
     writer->SetHeaderTypeToUInt64();
-    errno = 0;
-    if (writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError)
-        return;
-    const char* system =
-        errno != 0 ? std::strerror(errno) : vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode());
-    throw OutputError("cannot write '" + path.string() + "': " + system);
+    if (writer->Write() != 1)
+        throw OutputError("VTK cannot write the mesh: " + messages.first_error());
+    const std::string content = writer->GetOutputString();
+    out.write(content.data(), std::ssize(content));
 }
 
 TriangleMesh read_stl(const std::filesystem::path& path)

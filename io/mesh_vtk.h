@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -9,11 +10,10 @@
 namespace voroprobe
 {
 
-//! Writes VTK's XML poly data to `temporary`, which stands in for `path`: 64-bit coordinates, compressed,
-//! comments as a string array of the field data named "comments". \throw OutputError that names `path` and
-//! the reason.
-void write_vtp(const TriangleMesh& mesh, const std::filesystem::path& temporary,
-               const std::filesystem::path& path, const std::vector<std::string>& comments);
+//! Writes VTK's XML poly data: 64-bit coordinates, compressed, comments as a string array of the field data
+//! named "comments". Holds the whole file in memory, about 20 bytes a face. \throw OutputError with VTK's
+//! reason; whatever the stream throws.
+void write_vtp(const TriangleMesh& mesh, std::ostream& out, const std::vector<std::string>& comments);
 
 //! Reads STL, binary or text, as a soup: three vertices of its own for every face. \throw InputError with
 //! VTK's reason.

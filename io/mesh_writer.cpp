@@ -80,23 +80,18 @@ void check_mesh(const TriangleMesh& mesh, const fs::path& path)
             fail(path, "the mesh has a face that names a vertex that does not exist");
 }
 
-//! Writes to `temporary`, which stands in for `path`, with OpenMesh, to a stream that throws at the first
-//! failure.
-void write_stream(const TriangleMesh& mesh, const fs::path& temporary, const fs::path& path,
-                  MeshFormat format, const std::vector<std::string>& comments)
+//! Rounds the mesh where the format asks for it and writes it.
+WriteReport write_to_stream(const TriangleMesh& mesh, std::ostream& out, MeshFormat format,
+                            const std::vector<std::string>& comments)
 {
-    errno = 0;
-    try
+    if (format == MeshFormat::kVtp)
     {
-        std::ofstream out(temporary, std::ios::binary);
-        out.exceptions(std::ios::badbit | std::ios::failbit);
-        write_with_openmesh(mesh, out, format, comments);
-        out.close();
+        write_vtp(mesh, out, comments);
+        return {};
     }
-    catch (const std::ios_base::failure&)
-    {
-        fail(path, errno != 0 ? std::strerror(errno) : "the file could not be written in full");
-    }
+    const FloatRounding rounding = round_to_float(mesh);
+    write_with_openmesh(rounding.mesh, out, format, comments);
+    return {.vertices_nudged = rounding.vertices_nudged};
 }
 
 } // namespace
@@ -127,17 +122,20 @@ WriteReport write_mesh(const TriangleMesh& mesh, const fs::path& path, MeshForma
 {
     check_mesh(mesh, path);
     AtomicFile file(path);
-    WriteReport report;
-    if (format == MeshFormat::kVtp)
-        write_vtp(mesh, file.temporary(), path, comments);
-    else
+    errno = 0;
+    try
     {
-        const FloatRounding rounding = round_to_float(mesh);
-        report.vertices_nudged = rounding.vertices_nudged;
-        write_stream(rounding.mesh, file.temporary(), path, format, comments);
+        std::ofstream out(file.temporary(), std::ios::binary);
+        out.exceptions(std::ios::badbit | std::ios::failbit); // the first write that fails ends it
+        const WriteReport report = write_to_stream(mesh, out, format, comments);
+        out.close();
+        file.commit();
+        return report;
     }
-    file.commit();
-    return report;
+    catch (const std::ios_base::failure&)
+    {
+        fail(path, errno != 0 ? std::strerror(errno) : "the file could not be written in full");
+    }
 }
 
 } // namespace voroprobe

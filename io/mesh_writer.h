@@ -10,14 +10,16 @@
 namespace voroprobe
 {
 
+//! All but VTP store coordinates as 32-bit floats, the text formats with all digits of those: that is what
+//! OpenMesh writes. VTP stores 64 bits.
 enum class MeshFormat
 {
-    kStlBinary,
-    kStlAscii,
-    kPly,
-    kObj,
-    kOff,
-    kVtp
+    kStlBinary, //!< comments in the 80-byte header
+    kStlAscii,  //!< comments as the name of the solid
+    kPly,       //!< binary, little-endian; comment lines
+    kObj,       //!< comment lines
+    kOff,       //!< text; no comments, which many readers do not expect
+    kVtp        //!< VTK XML poly data, compressed; comments as a string array of the field data
 };
 
 //! Format by name ("stl", "stl-ascii", "ply", "obj", "off", "vtp") or, where that is unset, by the extension
@@ -29,16 +31,17 @@ MeshFormat mesh_format(const std::filesystem::path& path,
 //! \throw OutputError with the reason.
 void check_writable(const std::filesystem::path& path);
 
-//! What had to be done to a mesh so that a format of 32-bit floats keeps its promises.
+//! What had to be done to a mesh so that a format of 32-bit floats keeps its promises, see float_rounding.h.
 struct WriteReport
 {
-    std::size_t vertices_nudged =
-        0; //!< moved by a few units in the last place, so that no two coincide and no face folds
+    //! Moved by a few units in the last place, so that no two coincide and no face folds.
+    std::size_t vertices_nudged = 0;
 };
 
 //! Writes to a temporary name beside `path` and renames: the target is either whole or untouched. Comments go
-//! where the format has room for them. \pre the mesh is closed and manifold where the reader is meant to find
-//! it so. \throw OutputError with the reason.
+//! where the format has room for them. Not for several threads at once: OpenMesh and VTK are silenced by
+//! process-wide switches. \pre the mesh is closed and manifold where the reader is meant to find it so.
+//! \throw OutputError with the reason.
 WriteReport write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path, MeshFormat format,
                        const std::vector<std::string>& comments = {});
 

@@ -13,8 +13,8 @@
 namespace voroprobe::sample
 {
 
-//! Adds the pieces of `other`, moved by `offset`.
-inline void append(TriangleMesh& mesh, const TriangleMesh& other, const Vec3& offset = {})
+//! Adds the pieces of `other`, moved by `offset`. By value: a mesh may be added to itself.
+inline void append(TriangleMesh& mesh, TriangleMesh other, const Vec3& offset = {})
 {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     for (const Point3& p : other.vertices)
