@@ -3,11 +3,12 @@
 namespace voroprobe
 {
 
-//! What SIGINT (Ctrl-C) and SIGTERM do.
+//! What a first SIGINT (Ctrl-C) or SIGTERM does; a second one always leaves at once, with status 130.
 enum class OnInterrupt
 {
     kExitAtOnce, //!< leave with status 130: while reading, when there is nothing to clean up
-    kStopSoon    //!< set a flag that computations look at; a second signal leaves at once
+    kStopSoon,   //!< ask computations to stop (interrupt_requested()); leave after a second where they do not
+    kFinish      //!< take note: while writing, which is soon over and must not be cut in two
 };
 
 //! Catches SIGINT and SIGTERM for the rest of the program; to be called once, from main.
@@ -15,7 +16,7 @@ void install_interrupt_handlers();
 
 void set_on_interrupt(OnInterrupt what);
 
-//! True once a signal came in mode kStopSoon.
+//! True once a signal came in another mode than kExitAtOnce.
 bool interrupt_requested();
 
 } // namespace voroprobe

@@ -72,6 +72,12 @@ MeshRun read_input(const MeshArguments& arguments, ProgressSink& progress)
     return run;
 }
 
+void stop_if_interrupted()
+{
+    if (interrupt_requested())
+        throw Error(ExitStatus::kInterrupted, "interrupted; nothing was written");
+}
+
 //! \throw Error where there is nothing to write.
 TriangleMesh refine_surface(MeshRun& run, ProgressSink& progress)
 {
@@ -80,8 +86,7 @@ TriangleMesh refine_surface(MeshRun& run, ProgressSink& progress)
     MeshingResult result = mesh_surface(*run.input.oracle, run.options, &progress);
     run.timings.refinement = clock.seconds();
     run.statistics = result.statistics;
-    if (result.status == MeshingStatus::kInterrupted || interrupt_requested())
-        throw Error(ExitStatus::kInterrupted, "interrupted; nothing was written");
+    stop_if_interrupted();
     if (result.status == MeshingStatus::kBudgetExhausted)
         run.status = RunStatus::kPartial;
     if (!result.mesh.faces.empty())
@@ -114,8 +119,8 @@ void check_and_write(TriangleMesh& mesh, MeshFormat format, MeshRun& run, Progre
         run.status = RunStatus::kIncomplete;
     transform(mesh, output_from_grid(run.arguments.frame, run.input.placement));
     run.output_box = bounding_box(mesh);
-    if (progress.stop_requested())
-        throw Error(ExitStatus::kInterrupted, "interrupted; nothing was written");
+    set_on_interrupt(OnInterrupt::kFinish); // before the last look, so that no signal falls between
+    stop_if_interrupted();
     write_mesh(mesh, run.arguments.output, format, comments_for(run));
     run.timings.write = clock.seconds();
 }
