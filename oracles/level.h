@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "oracles/trilinear_oracle.h"
@@ -9,8 +10,8 @@
 namespace voroprobe
 {
 
-//! The field whose zero set is the surface: positive inside, negative outside, at no sample zero (see
-//! TieBreaker).
+//! The field whose zero set is the surface: positive inside, negative outside, zero at no sample (see
+//! LevelSurvey).
 struct Level
 {
     double isovalue;
@@ -19,39 +20,59 @@ struct Level
     [[nodiscard]] double operator()(double sample) const { return sign * (sample - isovalue); }
 };
 
-//! Chooses an isovalue that no sample has. Where samples equal the wanted one, it is moved to the outer side
-//! of all of them by a fraction of the smallest difference of any other sample: every tie falls inside, the
-//! surface moves by less than that fraction of a grid edge, and it is the exact isosurface of one isovalue
-//! everywhere.
-class TieBreaker
+//! Sees every sample once, then tells how to read them as a field.
+class LevelSurvey
 {
 public:
-    explicit TieBreaker(double isovalue) : isovalue_(isovalue) {}
+    LevelSurvey(double isovalue, InsideIs inside)
+        : isovalue_(isovalue), sign_(inside == InsideIs::kAbove ? 1.0 : -1.0)
+    {
+    }
 
     void include(double sample)
     {
-        const double difference = std::abs(sample - isovalue_);
-        tie_ = tie_ || difference == 0.0;
-        smallest_ = difference > 0.0 && difference < smallest_ ? difference : smallest_;
+        if (!std::isfinite(sample))
+        {
+            ++not_finite_;
+            return;
+        }
+        const double height = sign_ * (sample - isovalue_);
+        tie_ = tie_ || height == 0.0;
+        lowest_ = std::min(lowest_, height);
+        if (height != 0.0)
+            smallest_ = std::min(smallest_, std::abs(height));
     }
 
-    [[nodiscard]] Level level(InsideIs inside) const
+    //! Its isovalue is one that no sample has. Where samples equal the wanted one, it is moved to the outer
+    //! side of all of them by a fraction of the smallest difference of any other sample: every tie falls
+    //! inside, the surface moves by less than that fraction of a grid edge, and it is still the exact
+    //! isosurface of one isovalue.
+    [[nodiscard]] Level level() const
     {
-        const double sign = inside == InsideIs::kAbove ? 1.0 : -1.0;
-        if (!tie_)
-            return {isovalue_, sign};
-        const double others = std::isfinite(smallest_) ? smallest_ : std::max(1.0, std::abs(isovalue_));
-        return {isovalue_ - sign * kNudge * others, sign};
+        const double others = std::isfinite(smallest_) ? smallest_ : unit();
+        return {tie_ ? isovalue_ - sign_ * kNudge * others : isovalue_, sign_};
     }
+
+    //! A value to put in place of samples that are not finite: that of the sample farthest outside, or one
+    //! farther out where no sample is outside.
+    [[nodiscard]] double outside() const { return isovalue_ + sign_ * (lowest_ < 0.0 ? lowest_ : -unit()); }
+
+    [[nodiscard]] std::size_t not_finite() const { return not_finite_; }
 
 private:
     //! A millionth: out of sight, and still far above the rounding of an interpolation between samples of 16
     //! bits.
     static constexpr double kNudge = 0x1.0p-20;
 
+    //! A difference that shows beside the isovalue, where the samples give none.
+    [[nodiscard]] double unit() const { return std::max(1.0, std::abs(isovalue_)); }
+
     double isovalue_;
+    double sign_;
     bool tie_ = false;
-    double smallest_ = std::numeric_limits<double>::infinity(); //!< difference that is not 0
+    double lowest_ = 0.0;
+    double smallest_ = std::numeric_limits<double>::infinity(); //!< distance from the isovalue that is not 0
+    std::size_t not_finite_ = 0;
 };
 
 } // namespace voroprobe

@@ -1,7 +1,6 @@
 #include "oracles/trilinear_oracle.h"
 
 #include <string>
-#include <type_traits>
 #include <utility>
 
 #include "oracles/brick_map.h"
@@ -83,38 +82,6 @@ private:
     BrickMap bricks_;
 };
 
-//! What has to be known of the samples before they are read as a field.
-struct SampleSurvey
-{
-    TieBreaker ties;
-    double outermost; //!< of the finite samples, farthest on the outer side of the isovalue; a value beyond
-                      //!< it where none is
-    bool all_finite = true;
-};
-
-template <class Sample>
-SampleSurvey survey(const std::vector<Sample>& samples, double isovalue, InsideIs inside)
-{
-    const double sign = inside == InsideIs::kAbove ? 1.0 : -1.0;
-    const double just_outside = isovalue - sign * std::max(1.0, std::abs(isovalue));
-    SampleSurvey result{TieBreaker(isovalue), just_outside};
-    double lowest = std::numeric_limits<double>::infinity();
-    for (const Sample sample : samples)
-    {
-        const auto value = static_cast<double>(sample);
-        if (std::is_floating_point_v<Sample> && !std::isfinite(value))
-        {
-            result.all_finite = false;
-            continue;
-        }
-        result.ties.include(value);
-        lowest = std::min(lowest, sign * value);
-    }
-    if (lowest < sign * isovalue)
-        result.outermost = sign * lowest;
-    return result;
-}
-
 //! The volume with samples that are not finite replaced by a value outside.
 template <class Sample>
 std::shared_ptr<const Volume> with_finite_samples(const Volume& volume, double outside)
@@ -152,11 +119,13 @@ std::unique_ptr<SurfaceOracle> make_trilinear_oracle(std::shared_ptr<const Volum
     return std::visit(
         [&]<class Sample>(const std::vector<Sample>& samples) -> std::unique_ptr<SurfaceOracle>
         {
-            const SampleSurvey found = survey(samples, isovalue, inside);
-            if (!found.all_finite)
-                volume = with_finite_samples<Sample>(*volume, found.outermost);
+            LevelSurvey survey(isovalue, inside);
+            for (const Sample sample : samples)
+                survey.include(static_cast<double>(sample));
+            if (survey.not_finite() > 0)
+                volume = with_finite_samples<Sample>(*volume, survey.outside());
             return std::make_unique<LatticeOracle<DenseLattice<Sample>>>(
-                DenseLattice<Sample>(volume, found.ties.level(inside)));
+                DenseLattice<Sample>(volume, survey.level()));
         },
         volume->samples);
 }
