@@ -4,15 +4,15 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <map>
 #include <mutex>
 #include <set>
 #include <sstream>
 
 #include <gdcmTrace.h>
 #include <itkGDCMImageIO.h>
-#include <itkGDCMSeriesFileNames.h>
 
-#include "io/volume_bytes.h"
+#include "io/dicom_outline.h"
 #include "io/volume_formats.h"
 #include "io/volume_itk.h"
 #include "support/error.h"
@@ -37,21 +37,14 @@ constexpr double kSameDirection = 1e-4;
 constexpr double kSidewaysWarning = 0.1;
 constexpr double kSidewaysError = 1.0;
 
-//! Keeps what GDCM has to say instead of printing it. GDCM's trace is one for the whole program.
-class CaughtTrace
+//! Keeps GDCM from printing. Its trace is one for the whole program.
+class QuietGdcm
 {
 public:
-    CaughtTrace() : lock_(mutex()) { gdcm::Trace::SetStream(text_); }
-    ~CaughtTrace() { gdcm::Trace::SetStream(std::cerr); }
-    CaughtTrace(const CaughtTrace&) = delete;
-    CaughtTrace& operator=(const CaughtTrace&) = delete;
-
-    //! GDCM fills up short pixel data and only mentions it. \throw InputError where it did.
-    void require_complete_pixels() const
-    {
-        if (text_.str().find("Incomplete Pixel Data") != std::string::npos)
-            throw InputError("truncated: the file ends within its pixel data");
-    }
+    QuietGdcm() : lock_(mutex()) { gdcm::Trace::SetStream(text_); }
+    ~QuietGdcm() { gdcm::Trace::SetStream(std::cerr); }
+    QuietGdcm(const QuietGdcm&) = delete;
+    QuietGdcm& operator=(const QuietGdcm&) = delete;
 
 private:
     static std::mutex& mutex()
@@ -81,21 +74,49 @@ void with_slice(const std::string& file, const Action& action)
 struct Series
 {
     std::string uid;
-    std::vector<std::string> files; //!< ordered by position
+    std::vector<std::string> files;
 };
 
+std::string read_series_uid(const std::string& file)
+{
+    const auto image_io = itk::GDCMImageIO::New();
+    read_itk_header(*image_io, file);
+    std::string uid;
+    image_io->GetValueFromTag("0020|000e", uid);
+    return uid;
+}
+
+//! Files of the folder that are or should be DICOM, by name.
+std::set<std::string> dicom_files(const std::filesystem::path& folder)
+{
+    std::set<std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+    {
+        const std::string name = entry.path().filename().string();
+        const bool is_passed_over = !entry.is_regular_file() || name.starts_with('.') || name == "DICOMDIR";
+        if (!is_passed_over && (entry.path().extension() == ".dcm" || has_dicom_mark(entry.path())))
+            files.insert(entry.path().string());
+    }
+    return files;
+}
+
+//! The image series of a folder, by UID. \throw InputError that names a file that cannot be read.
 std::vector<Series> find_series(const std::filesystem::path& folder)
 {
+    std::map<std::string, std::vector<std::string>> files_of_uid;
+    for (const std::string& file : dicom_files(folder))
+        with_slice(
+            file,
+            [&]
+            {
+                const DicomOutline outline = read_dicom_outline(file);
+                if (outline.has_pixels)
+                    files_of_uid[outline.series_uid ? *outline.series_uid : read_series_uid(file)].push_back(
+                        file);
+            });
     std::vector<Series> all;
-    with_itk(
-        [&]
-        {
-            const auto names = itk::GDCMSeriesFileNames::New();
-            names->SetUseSeriesDetails(true);
-            names->SetInputDirectory(folder.string());
-            for (const std::string& uid : names->GetSeriesUIDs())
-                all.push_back({uid, names->GetFileNames(uid)});
-        });
+    for (auto& [uid, files] : files_of_uid)
+        all.push_back({uid, std::move(files)});
     return all;
 }
 
@@ -126,35 +147,6 @@ const Series& choose_series(const std::vector<Series>& all, const std::optional<
         throw InputError("holds " + std::to_string(fitting.size()) +
                          " series, expected one: choose with --series from " + list_text(fitting));
     return *fitting.front();
-}
-
-bool looks_like_dicom(const std::filesystem::path& path)
-{
-    const std::string name = path.filename().string();
-    if (name.starts_with('.') || name == "DICOMDIR")
-        return false;
-    constexpr std::size_t kMarkOffset = 128;
-    const std::string head = read_head(path, kMarkOffset + 4);
-    return path.extension() == ".dcm" || (head.size() == kMarkOffset + 4 && head.ends_with("DICM"));
-}
-
-//! A file of the folder that looks like DICOM but that GDCM could not place in any series is a slice missing
-//! from one.
-void require_no_unreadable_file(const std::filesystem::path& folder, const std::vector<Series>& all)
-{
-    std::set<std::string> known;
-    for (const Series& series : all)
-        for (const std::string& file : series.files)
-            known.insert(std::filesystem::path(file).filename().string());
-    std::set<std::string> unreadable;
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
-        if (const std::string name = entry.path().filename().string();
-            entry.is_regular_file() && !known.contains(name) && looks_like_dicom(entry.path()))
-            unreadable.insert(name);
-    if (!unreadable.empty())
-        throw InputError(
-            "slice " + *unreadable.begin() +
-            " cannot be read (truncated, or not DICOM), expected every .dcm file to be readable");
 }
 
 //! What the header of a slice says.
@@ -225,6 +217,20 @@ std::vector<Slice> read_slice_headers(const Series& series)
     return slices;
 }
 
+Vec3 slice_normal(const Slice& slice)
+{
+    return cross(slice.lattice.direction.column[0], slice.lattice.direction.column[1]);
+}
+
+//! Along the normal; never by name.
+void order_by_position(std::vector<Slice>& slices)
+{
+    const Vec3 normal = slice_normal(slices.front());
+    std::stable_sort(slices.begin(), slices.end(),
+                     [&](const Slice& a, const Slice& b)
+                     { return dot(a.lattice.origin, normal) < dot(b.lattice.origin, normal); });
+}
+
 std::string names_text(const Slice& a, const Slice& b)
 {
     return std::filesystem::path(a.file).filename().string() + " and " +
@@ -292,7 +298,7 @@ StoredLattice stack_lattice(const std::vector<Slice>& slices, std::vector<std::s
     StoredLattice lattice = slices.front().lattice;
     if (slices.size() == 1)
         return lattice; // one sample thick: read_volume refuses it
-    const Vec3 normal = cross(lattice.direction.column[0], lattice.direction.column[1]);
+    const Vec3 normal = slice_normal(slices.front());
     const std::vector<double> distances = slice_distances(slices, normal);
     require_equal_distances(slices, distances, warnings);
     require_straight_stack(slices, normal, warnings);
@@ -353,29 +359,26 @@ void append(SampleArray& all, const SampleArray& more)
 
 SampleArray read_slice_samples(const std::string& file)
 {
-    const CaughtTrace trace;
+    const QuietGdcm quiet;
     const auto image_io = itk::GDCMImageIO::New();
     read_itk_header(*image_io, file);
-    SampleArray samples = read_itk_samples(*image_io, std::nullopt);
-    trace.require_complete_pixels();
-    return samples;
+    return read_itk_samples(*image_io, std::nullopt);
 }
 
 } // namespace
 
 StoredVolume read_dicom_file(const std::filesystem::path& path, const ReadOptions& options)
 {
-    const CaughtTrace trace;
+    const QuietGdcm quiet;
+    if (!read_dicom_outline(path).has_pixels)
+        throw InputError("is a DICOM file without pixel data, expected an image");
     const auto image_io = itk::GDCMImageIO::New();
-    if (!image_io->CanReadFile(path.c_str()))
-        throw InputError("is not a readable DICOM file (truncated, or of another format)");
     read_itk_header(*image_io, path);
     StoredVolume volume{.lattice = itk_lattice(*image_io), .format = "DICOM"};
     if (volume.lattice.size[2] == 1)
         throw InputError("a single slice is not a volume: expected the folder that holds the whole series");
     volume.stored_type = stored_type_text(*image_io);
     volume.samples = read_itk_samples(*image_io, options.frame);
-    trace.require_complete_pixels();
     return volume;
 }
 
@@ -384,14 +387,14 @@ StoredVolume read_dicom_folder(const std::filesystem::path& folder, const ReadOp
     std::vector<Series> all;
     std::vector<Slice> slices;
     {
-        const CaughtTrace trace;
+        const QuietGdcm quiet;
         all = find_series(folder);
-        require_no_unreadable_file(folder, all);
         slices = read_slice_headers(choose_series(all, options.series));
     }
     if (slices.size() == 1 && slices.front().lattice.size[2] > 1)
         return read_dicom_file(slices.front().file, options);
     choose_frame(1, options.frame);
+    order_by_position(slices);
 
     StoredVolume volume{.lattice = {.size = {}}, .format = "DICOM"};
     volume.lattice = stack_lattice(slices, volume.warnings);

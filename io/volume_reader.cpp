@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "io/dicom_outline.h"
 #include "io/volume_bytes.h"
 #include "io/volume_formats.h"
 #include "support/error.h"
@@ -51,13 +52,6 @@ Reader reader_by_name(const std::filesystem::path& path)
     return nullptr;
 }
 
-constexpr std::size_t kDicomMarkOffset = 128;
-
-bool is_dicom(const std::string& head)
-{
-    return head.size() >= kDicomMarkOffset + 4 && head.compare(kDicomMarkOffset, 4, "DICM") == 0;
-}
-
 Reader reader_by_content(const std::filesystem::path& path)
 {
     constexpr std::size_t kHeadBytes = 512;
@@ -72,7 +66,7 @@ Reader reader_by_content(const std::filesystem::path& path)
         return read_tiff_pages;
     if (head.starts_with("# vtk DataFile") || head.find("<VTKFile") != std::string::npos)
         return read_vtk_image;
-    return is_dicom(head) ? read_dicom_file : nullptr;
+    return has_dicom_mark(path) ? read_dicom_file : nullptr;
 }
 
 Reader folder_reader(const std::filesystem::path& folder)
@@ -84,16 +78,15 @@ Reader folder_reader(const std::filesystem::path& folder)
         if (!entry.is_regular_file())
             continue;
         const std::string extension = lower_case(entry.path().extension().string());
-        if (extension == ".dcm" || is_dicom(read_head(entry.path(), kDicomMarkOffset + 4)))
+        if (extension == ".dcm" || has_dicom_mark(entry.path()))
             return read_dicom_folder;
         has_tiff = has_tiff || extension == ".tif" || extension == ".tiff";
         has_file = true;
     }
     if (has_tiff)
         return read_tiff_sequence;
-    if (!has_file)
-        throw InputError("the folder is empty, expected DICOM or TIFF files in it");
-    return read_dicom_folder; // DICOM from before the mark has no signature; GDCM knows it
+    throw InputError(has_file ? "the folder holds neither DICOM nor TIFF files, expected one series of either"
+                              : "the folder is empty, expected DICOM or TIFF files in it");
 }
 
 Reader choose_reader(const std::filesystem::path& path)
