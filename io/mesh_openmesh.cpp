@@ -195,7 +195,7 @@ std::string solid_name(const std::vector<std::string>& comments)
 }
 
 void run_openmesh(const TriangleMesh& mesh, std::ostream& out, const std::string& extension,
-                  om::IO::Options options)
+                  const om::IO::Options& options)
 {
     const OpenMeshSilence silence;
     MeshExporter exporter(mesh);
@@ -205,7 +205,7 @@ void run_openmesh(const TriangleMesh& mesh, std::ostream& out, const std::string
 }
 
 void run_openmesh_inserting(InsertingBuffer& buffer, const TriangleMesh& mesh, std::ostream& out,
-                            const std::string& extension, om::IO::Options options)
+                            const std::string& extension, const om::IO::Options& options)
 {
     std::ostream inserting(&buffer);
     inserting.exceptions(out.exceptions());

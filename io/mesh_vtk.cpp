@@ -31,16 +31,17 @@ namespace
 
 // ---- Writing ----
 
-//! The vertices as VTK sees them: the same memory, not a copy.
+//! The vertices as VTK sees them: the same memory, not a copy. VTK's array could write to it, and its writer
+//! does not.
 vtkSmartPointer<vtkPoints> points_over(const std::vector<Point3>& vertices)
 {
     static_assert(sizeof(Point3) == 3 * sizeof(double));
-    vtkNew<vtkDoubleArray> coordinates;
+    constexpr int kVtkDoesNotFreeIt = 1;
+    const auto count = static_cast<vtkIdType>(vertices.size());
+    auto* values = const_cast<double*>(reinterpret_cast<const double*>(vertices.data()));
+    const vtkNew<vtkDoubleArray> coordinates;
     coordinates->SetNumberOfComponents(3);
-    auto* values =
-        const_cast<double*>(reinterpret_cast<const double*>(vertices.data())); // VTK's array only reads them
-    coordinates->SetArray(values, static_cast<vtkIdType>(3 * vertices.size()),
-                          1); // 1: VTK does not delete them
+    coordinates->SetArray(values, 3 * count, kVtkDoesNotFreeIt);
 
     auto points = vtkSmartPointer<vtkPoints>::New();
     points->SetData(coordinates);
@@ -49,18 +50,17 @@ vtkSmartPointer<vtkPoints> points_over(const std::vector<Point3>& vertices)
 
 vtkSmartPointer<vtkCellArray> triangles_of(const std::vector<TriangleMesh::Face>& faces)
 {
-    vtkNew<vtkIdTypeArray> offsets;
-    vtkNew<vtkIdTypeArray> connectivity;
-    offsets->SetNumberOfValues(static_cast<vtkIdType>(faces.size() + 1));
-    connectivity->SetNumberOfValues(static_cast<vtkIdType>(3 * faces.size()));
+    const auto count = static_cast<vtkIdType>(faces.size());
+    const vtkNew<vtkIdTypeArray> offsets;
+    const vtkNew<vtkIdTypeArray> connectivity;
+    offsets->SetNumberOfValues(count + 1);
+    connectivity->SetNumberOfValues(3 * count);
+    for (vtkIdType f = 0; f <= count; ++f)
+        offsets->SetValue(f, 3 * f);
     vtkIdType next = 0;
-    offsets->SetValue(0, 0);
-    for (std::size_t f = 0; f < faces.size(); ++f)
-    {
-        for (const std::uint32_t v : faces[f])
+    for (const TriangleMesh::Face& face : faces)
+        for (const std::uint32_t v : face)
             connectivity->SetValue(next++, v);
-        offsets->SetValue(static_cast<vtkIdType>(f + 1), next);
-    }
 
     auto triangles = vtkSmartPointer<vtkCellArray>::New();
     triangles->SetData(offsets, connectivity);

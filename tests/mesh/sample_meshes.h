@@ -13,14 +13,21 @@
 namespace voroprobe::sample
 {
 
-//! Adds the pieces of `other`, moved by `offset`. By value: a mesh may be added to itself.
-inline void append(TriangleMesh& mesh, TriangleMesh other, const Vec3& offset = {})
+//! Adds the pieces of `other`, moved by `offset`. A mesh may be added to itself.
+inline void append(TriangleMesh& mesh, const TriangleMesh& other, const Vec3& offset = {})
 {
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (const Point3& p : other.vertices)
-        mesh.vertices.push_back(p + offset);
-    for (const TriangleMesh::Face& face : other.faces)
-        mesh.faces.push_back({first + face[0], first + face[1], first + face[2]});
+    const std::size_t vertex_count = mesh.vertices.size();
+    const std::size_t face_count = mesh.faces.size();
+    const auto first = static_cast<std::uint32_t>(vertex_count);
+    const std::size_t added_vertices = other.vertices.size();
+    const std::size_t added_faces = other.faces.size();
+    mesh.vertices.resize(vertex_count + added_vertices);
+    mesh.faces.resize(face_count + added_faces);
+    for (std::size_t v = 0; v < added_vertices; ++v)
+        mesh.vertices[vertex_count + v] = other.vertices[v] + offset;
+    for (std::size_t f = 0; f < added_faces; ++f)
+        for (std::size_t i = 0; i < 3; ++i)
+            mesh.faces[face_count + f][i] = first + other.faces[f][i];
 }
 
 //! Corner of the unit cube, edges along the axes: volume 1/6, faces outward.

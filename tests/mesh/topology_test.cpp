@@ -99,7 +99,7 @@ TEST(Topology, tetrahedra_that_share_a_face_have_three_non_manifold_edges)
 TEST(Topology, a_moebius_strip_is_manifold_with_boundary_but_not_oriented)
 {
     const std::uint32_t n = 7;
-    TriangleMesh mesh{.vertices = std::vector<Point3>(2 * n),
+    TriangleMesh mesh{.vertices = std::vector<Point3>(std::size_t{2} * n),
                       .faces = {}}; // bottom i, top n + i; combinatorics only
     for (std::uint32_t i = 0; i < n; ++i)
     {
