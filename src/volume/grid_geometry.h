@@ -9,14 +9,14 @@
 namespace voroprobe
 {
 
-//! Where the samples of a file say they are: ITK's convention. p_world = origin + direction * (spacing .* index), the index of
-//! the first stored sample being `start`. Axis 0 varies fastest in memory.
+//! Where the samples of a file say they are: ITK's convention. p_world = origin + direction * (spacing .*
+//! index), the index of the first stored sample being `start`. Axis 0 varies fastest in memory.
 struct StoredLattice
 {
-    std::array<std::size_t, 3> size;           //!< samples along each axis, > 0
-    Vec3 spacing{1, 1, 1};                     //!< scan units, > 0
-    Matrix3 direction{};                       //!< direction cosines by columns, orthonormal, either handedness
-    Point3 origin{};                           //!< world (LPS, mm) position of index (0, 0, 0)
+    std::array<std::size_t, 3> size; //!< samples along each axis, > 0
+    Vec3 spacing{1, 1, 1};           //!< scan units, > 0
+    Matrix3 direction{};             //!< direction cosines by columns, orthonormal, either handedness
+    Point3 origin{};                 //!< world (LPS, mm) position of index (0, 0, 0)
     std::array<std::ptrdiff_t, 3> start{0, 0, 0}; //!< index of the first stored sample
 };
 
@@ -24,13 +24,17 @@ struct StoredLattice
 //!
 //! Frames:
 //! - *index*: sample (i, j, k) of the canonical array is at (i, j, k);
-//! - *grid*: `spacing .* index`; scan units, axes along the lattice, first sample at the origin. The mesher works here;
-//! - *world*: ITK's LPS, mm. Rigid and orientation-preserving with respect to the grid frame, so that distances, angles and
+//! - *grid*: `spacing .* index`; scan units, axes along the lattice, first sample at the origin. The mesher
+//! works here;
+//! - *world*: ITK's LPS, mm. Rigid and orientation-preserving with respect to the grid frame, so that
+//! distances, angles and
 //!   windings carry over;
-//! - *source index*: the index coordinates of the file, which may be permuted, flipped (left-handed) and offset.
+//! - *source index*: the index coordinates of the file, which may be permuted, flipped (left-handed) and
+//! offset.
 //!
-//! The axes are those of the file permuted and reversed so that the grid frame lies as near to the world frame as it can
-//! and is right-handed. Files that store the same lattice in different orders therefore give the same canonical array.
+//! The axes are those of the file permuted and reversed so that the grid frame lies as near to the world
+//! frame as it can and is right-handed. Files that store the same lattice in different orders therefore give
+//! the same canonical array.
 struct GridGeometry
 {
     std::array<std::size_t, 3> size{};      //!< samples along each axis
@@ -52,8 +56,8 @@ struct GridGeometry
     [[nodiscard]] double min_spacing() const { return std::min({spacing.x, spacing.y, spacing.z}); }
 };
 
-//! How the canonical array is taken from the stored one: canonical axis a runs along stored axis `stored_axis[a]`, backwards
-//! where `reversed[a]`.
+//! How the canonical array is taken from the stored one: canonical axis a runs along stored axis
+//! `stored_axis[a]`, backwards where `reversed[a]`.
 struct AxisOrder
 {
     std::array<std::size_t, 3> stored_axis{0, 1, 2};
@@ -65,11 +69,13 @@ struct AxisOrder
     }
 };
 
-//! The permutation and reversal of the axes after which the direction cosines are nearest to the identity and right-handed.
+//! The permutation and reversal of the axes after which the direction cosines are nearest to the identity and
+//! right-handed.
 AxisOrder canonical_axis_order(const Matrix3& direction);
 
-//! The grid of a lattice whose axes were put in `order`. \throw InputError where a size is 0, a spacing is not positive and
-//! finite, or the direction cosines are not orthonormal (to 1e-3; they are then made exactly so by Gram-Schmidt).
+//! The grid of a lattice whose axes were put in `order`. \throw InputError where a size is 0, a spacing is
+//! not positive and finite, or the direction cosines are not orthonormal (to 1e-3; they are then made exactly
+//! so by Gram-Schmidt).
 GridGeometry make_grid_geometry(const StoredLattice& lattice, const AxisOrder& order);
 
 } // namespace voroprobe

@@ -28,7 +28,7 @@ std::string deflated(const std::string& content, int window_bits)
 
 void put(std::string& bytes, std::size_t offset, const std::string& what)
 {
-    bytes.replace(offset, what.size(), what);
+    std::copy(what.begin(), what.end(), bytes.begin() + static_cast<std::ptrdiff_t>(offset));
 }
 
 std::string decimal(double value)
@@ -44,7 +44,11 @@ std::string joined(const Numbers& numbers)
 {
     std::string text;
     for (const double number : numbers)
-        text += (text.empty() ? "" : "\\") + decimal(number);
+    {
+        if (!text.empty())
+            text += '\\';
+        text += decimal(number);
+    }
     return text;
 }
 
