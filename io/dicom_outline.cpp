@@ -3,6 +3,7 @@
 
 #include "io/dicom_outline.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -32,6 +33,18 @@ constexpr std::uint32_t kItem = 0xfffee000;
 constexpr std::uint32_t kItemEnd = 0xfffee00d;
 constexpr std::uint32_t kSequenceEnd = 0xfffee0dd;
 
+//! Value representations (PS3.5 section 6.2); in explicit encodings the long ones have a length of 32 bits.
+constexpr std::array<std::string_view, 34> kTypes{
+    "AE", "AS", "AT", "CS", "DA", "DS", "DT", "FD", "FL", "IS", "LO", "LT", "OB", "OD", "OF", "OL", "OV",
+    "OW", "PN", "SH", "SL", "SQ", "SS", "ST", "SV", "TM", "UC", "UI", "UL", "UN", "UR", "US", "UT", "UV"};
+constexpr std::array<std::string_view, 13> kLongTypes{"OB", "OD", "OF", "OL", "OV", "OW", "SQ",
+                                                      "SV", "UC", "UN", "UR", "UT", "UV"};
+
+bool is_one_of(std::string_view type, std::span<const std::string_view> types)
+{
+    return std::find(types.begin(), types.end(), type) != types.end();
+}
+
 struct Encoding
 {
     bool explicit_type = true;
@@ -42,7 +55,7 @@ struct Element
 {
     std::uint32_t tag;
     std::uint32_t length;
-    bool is_known = true; //!< false where the two letters of the type are not letters
+    bool is_known = true; //!< false where the value is of a type that DICOM does not have
 };
 
 //! Reads elements one after the other and never beyond the end of the file.
@@ -70,8 +83,8 @@ public:
         require(2);
         const std::string_view type = bytes_.substr(at_, 2);
         at_ += 2;
-        element.is_known = is_upper(type[0]) && is_upper(type[1]);
-        if (has_long_length(type))
+        element.is_known = is_one_of(type, kTypes);
+        if (is_one_of(type, kLongTypes))
         {
             at_ += 2;
             return with_long_length(element, encoding);
@@ -129,18 +142,6 @@ private:
         return element;
     }
 
-    static bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
-
-    static bool has_long_length(std::string_view type)
-    {
-        static constexpr std::array<std::string_view, 13> kTypes{"OB", "OD", "OF", "OL", "OV", "OW", "SQ",
-                                                                 "SV", "UC", "UN", "UR", "UT", "UV"};
-        for (const std::string_view one : kTypes)
-            if (type == one)
-                return true;
-        return false;
-    }
-
     template <class Number>
     [[nodiscard]] std::uint32_t number(std::size_t at, const Encoding& encoding) const
     {
@@ -174,6 +175,8 @@ std::string walk_meta_information(Walker& walker)
     while (!walker.at_end() && (walker.peek_tag({}) >> 16U) == 2U)
     {
         const Element element = walker.next({});
+        if (!element.is_known)
+            throw InputError("is damaged: a data element of its meta information has no known type");
         const std::string_view value = walker.take(element.length);
         if (element.tag == kTransferSyntax)
             transfer_syntax = value.substr(0, value.find_last_not_of(std::string_view("\0 ", 2)) + 1);
