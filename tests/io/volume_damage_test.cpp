@@ -244,9 +244,6 @@ TEST(DamagedVolume, the_qform_stands_in_for_a_sheared_sform_with_a_warning)
 
 TEST(DamagedVolume, pages_of_different_size_are_refused)
 {
-    const std::string first = tiff_with(1);
-    // Chain a page of another width behind the first: its directory follows the first file's bytes.
-    std::string second = tiff_of({.width = 5, .height = 6}, {std::string(60, 'y')});
     std::string both = tiff_with(2);
     const std::string width_entry = to_bytes(std::uint16_t{256}, kLittle) +
                                     to_bytes(std::uint16_t{4}, kLittle) + to_bytes(std::uint32_t{1}, kLittle);
