@@ -129,7 +129,7 @@ Subject choose_subject(const Options& options)
 
 std::vector<Entry> choose_contestants(const std::vector<std::string>& names)
 {
-    const std::vector<Entry> all = all_contestants();
+    std::vector<Entry> all = all_contestants();
     if (names.empty())
         return all;
     std::vector<Entry> chosen;
