@@ -19,14 +19,14 @@ struct GridCellBox
     GridCell max;
 };
 
-//! The part of a segment in one grid cell. The points lie in the closed grid cell, on the very plane of the
-//! face they pass.
+//! The part of a segment in one grid cell. The points are counted from the grid cell's lowest corner and lie
+//! in [0, 1]^3, on the very plane of the face the segment passes.
 struct GridCellSpan
 {
     double first; //!< parameters along the segment
     double last;
-    Point3 entry; //!< index coordinates
-    Point3 exit;
+    Vec3 entry;
+    Vec3 exit;
 };
 
 //! Walks the grid cells along a segment, all of index coordinates. From the first grid cell to the last it
@@ -39,12 +39,16 @@ class GridWalk
 public:
     //! \pre `first` and `last` hold the ends of the segment.
     GridWalk(const Segment3& segment, const GridCell& first, const GridCell& last)
-        : segment_(segment), along_(segment.target - segment.source), cell_(first), last_(last)
+        : source_{segment.source.x, segment.source.y, segment.source.z}, target_{segment.target.x,
+                                                                                 segment.target.y,
+                                                                                 segment.target.z},
+          cell_(first), last_(last)
     {
         for (std::size_t axis = 0; axis < 3; ++axis)
         {
+            along_[axis] = target_[axis] - source_[axis];
             inverse_[axis] = 1.0 / along_[axis];
-            forward_[axis] = last[axis] >= first[axis];
+            ahead_[axis] = last[axis] >= first[axis] ? 1 : 0;
             update_exit(axis);
         }
         choose_exit();
@@ -57,9 +61,14 @@ public:
 
     [[nodiscard]] GridCellSpan span() const
     {
-        return {first_, exit_parameter(),
-                entry_axis_ == kNoAxis ? segment_.source : face_point(first_, entry_axis_, false),
-                exit_axis_ == kNoAxis ? segment_.target : face_point(exit_parameter(), exit_axis_, true)};
+        GridCellSpan span{};
+        span.first = first_;
+        span.last = exit_parameter();
+        span.entry = entry_axis_ == kNoAxis ? local(source_)
+                                            : face_point(span.first, entry_axis_, 1 - ahead_[entry_axis_]);
+        span.exit =
+            exit_axis_ == kNoAxis ? local(target_) : face_point(span.last, exit_axis_, ahead_[exit_axis_]);
+        return span;
     }
 
     //! To the next grid cell, through the face where the segment leaves this one.
@@ -72,7 +81,7 @@ public:
         }
         first_ = exit_parameter();
         entry_axis_ = exit_axis_;
-        cell_[entry_axis_] += forward_[entry_axis_] ? 1 : -1;
+        cell_[entry_axis_] += 2 * ahead_[entry_axis_] - 1;
         update_exit(entry_axis_);
         choose_exit();
     }
@@ -84,10 +93,10 @@ public:
         double nearest = 1.0;
         for (std::size_t a = 0; a < 3; ++a)
         {
-            if (forward_[a] ? last_[a] <= box.max[a] : last_[a] >= box.min[a])
+            if (ahead_[a] ? last_[a] <= box.max[a] : last_[a] >= box.min[a])
                 continue;
-            const double plane = forward_[a] ? box.max[a] + 1 : box.min[a];
-            const double parameter = (plane - segment_.source[a]) * inverse_[a];
+            const double plane = ahead_[a] ? box.max[a] + 1 : box.min[a];
+            const double parameter = (plane - source_[a]) * inverse_[a];
             if (axis == kNoAxis || parameter < nearest)
             {
                 axis = a;
@@ -103,13 +112,15 @@ public:
         entry_axis_ = axis;
         for (std::size_t a = 0; a < 3; ++a)
         {
-            cell_[a] = a == axis ? (forward_[a] ? box.max[a] + 1 : box.min[a] - 1) : cell_within(a, box);
+            cell_[a] = a == axis ? (ahead_[a] ? box.max[a] + 1 : box.min[a] - 1) : cell_within(a, box);
             update_exit(a);
         }
         choose_exit();
     }
 
 private:
+    using Coordinates = std::array<double, 3>; //!< index coordinates, where the axis is a variable
+
     static constexpr std::size_t kNoAxis = 3;
     static constexpr double kNever = std::numeric_limits<double>::infinity();
 
@@ -118,13 +129,19 @@ private:
         return exit_axis_ == kNoAxis ? 1.0 : std::max(first_, exits_[exit_axis_]);
     }
 
-    //! Where the segment passes the face of this grid cell across `axis`.
-    [[nodiscard]] Point3 face_point(double parameter, std::size_t axis, bool leaving) const
+    //! A point of this grid cell, but for rounding, from its lowest corner.
+    [[nodiscard]] Vec3 local(const Coordinates& p) const
     {
-        Point3 p = segment_.source + parameter * along_;
-        for (std::size_t a = 0; a < 3; ++a)
-            p[a] = std::clamp(p[a], static_cast<double>(cell_[a]), static_cast<double>(cell_[a] + 1));
-        p[axis] = forward_[axis] == leaving ? cell_[axis] + 1 : cell_[axis];
+        const auto within = [](double x) { return std::min(std::max(x, 0.0), 1.0); };
+        return {within(p[0] - cell_[0]), within(p[1] - cell_[1]), within(p[2] - cell_[2])};
+    }
+
+    //! Where the segment passes the upper (1) or lower (0) face of this grid cell across `axis`.
+    [[nodiscard]] Vec3 face_point(double parameter, std::size_t axis, int upper) const
+    {
+        Vec3 p = local({source_[0] + parameter * along_[0], source_[1] + parameter * along_[1],
+                        source_[2] + parameter * along_[2]});
+        p[axis] = upper;
         return p;
     }
 
@@ -132,15 +149,15 @@ private:
     //! one.
     [[nodiscard]] int cell_within(std::size_t a, const GridCellBox& box) const
     {
-        const int here = static_cast<int>(segment_.source[a] + first_ * along_[a]);
-        return forward_[a] ? std::clamp(here, cell_[a], std::min(last_[a], box.max[a]))
-                           : std::clamp(here, std::max(last_[a], box.min[a]), cell_[a]);
+        const int here = static_cast<int>(source_[a] + first_ * along_[a]);
+        return ahead_[a] ? std::clamp(here, cell_[a], std::min(last_[a], box.max[a]))
+                         : std::clamp(here, std::max(last_[a], box.min[a]), cell_[a]);
     }
 
     void update_exit(std::size_t axis)
     {
-        const double plane = forward_[axis] ? cell_[axis] + 1 : cell_[axis];
-        exits_[axis] = cell_[axis] == last_[axis] ? kNever : (plane - segment_.source[axis]) * inverse_[axis];
+        const double plane = cell_[axis] + ahead_[axis];
+        exits_[axis] = cell_[axis] == last_[axis] ? kNever : (plane - source_[axis]) * inverse_[axis];
     }
 
     void choose_exit()
@@ -150,13 +167,15 @@ private:
         exit_axis_ = exits_[nearest] == kNever ? kNoAxis : nearest;
     }
 
-    Segment3 segment_;
-    Vec3 along_;
-    Vec3 inverse_;
-    Vec3 exits_; //!< parameter of the next plane along each axis; kNever where the last grid cell lies level
+    Coordinates source_;
+    Coordinates target_;
+    Coordinates along_{};
+    Coordinates inverse_{};
+    Coordinates
+        exits_{}; //!< parameter of the next plane along each axis; kNever where the last grid cell lies level
     GridCell cell_;
     GridCell last_;
-    std::array<bool, 3> forward_{};
+    std::array<int, 3> ahead_{}; //!< 1 where the segment goes up along the axis, 0 where down
     double first_ = 0.0;
     std::size_t entry_axis_ = kNoAxis;
     std::size_t exit_axis_ = kNoAxis;

@@ -178,12 +178,16 @@ void LatticeOracle<Lattice>::find_crossings(const Segment3& segment, std::vector
         if (reader.is_mixed(walk.cell()))
         {
             const GridCellSpan span = walk.span();
-            const CubicRoots roots = find_sign_changes(restrict_to_segment(
-                reader.corners(walk.cell()), local(span.entry, walk.cell()), local(span.exit, walk.cell())));
-            for (std::size_t i = 0; i < roots.count; ++i)
+            const BernsteinCubic cubic =
+                restrict_to_segment(reader.corners(walk.cell()), span.entry, span.exit);
+            if (!stays_on_one_side(cubic))
             {
-                const double along = span.first + roots.parameter[i] * (span.last - span.first);
-                append(std::min(first + std::min(along, span.last) * (last - first), last), false);
+                const CubicRoots roots = find_sign_changes(cubic);
+                for (std::size_t i = 0; i < roots.count; ++i)
+                {
+                    const double along = span.first + roots.parameter[i] * (span.last - span.first);
+                    append(std::min(first + std::min(along, span.last) * (last - first), last), false);
+                }
             }
         }
         walk.step();

@@ -6,7 +6,6 @@
 #include "volume/trilinear_cell.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -24,6 +23,19 @@ constexpr int kMaxRootSteps = 100;
 
 //! Exact at both ends, and of the sign of a and b where they agree; a + f (b - a) is neither.
 inline double lerp(double a, double b, double f)
+{
+    return (1.0 - f) * a + f * b;
+}
+
+//! Two numbers that go through the same operations side by side, each as it would alone.
+using Pair __attribute__((vector_size(2 * sizeof(double)))) = double;
+
+inline Pair both(double value)
+{
+    return Pair{value, value};
+}
+
+inline Pair lerp(Pair a, Pair b, Pair f)
 {
     return (1.0 - f) * a + f * b;
 }
@@ -119,42 +131,43 @@ double trilinear_value(const CellCorners& c, const Vec3& local)
     return lerp(lerp(y0z0, y1z0, local.y), lerp(y0z1, y1z1, local.y), local.z);
 }
 
-BernsteinCubic restrict_to_segment(const CellCorners& corners, const Vec3& from, const Vec3& to)
+BernsteinCubic restrict_to_segment(const CellCorners& c, const Vec3& from, const Vec3& to)
 {
-    // Interpolated along x at both ends, then y, then z, in the order of trilinear_value(). First letter: end
-    // taken along x.
-    std::array<double, 4> x_from;
-    std::array<double, 4> x_to;
-    for (std::size_t i = 0; i < 4; ++i)
-    {
-        x_from[i] = lerp(corners[2 * i], corners[2 * i + 1], from.x);
-        x_to[i] = lerp(corners[2 * i], corners[2 * i + 1], to.x);
-    }
-    const auto along_y_and_z = [](const std::array<double, 4>& v, double y, double z0, double z1)
-    {
-        const double low = lerp(v[0], v[1], y);
-        const double high = lerp(v[2], v[3], y);
-        return std::array<double, 2>{lerp(low, high, z0), lerp(low, high, z1)};
-    };
-    const auto [fff, fft] = along_y_and_z(x_from, from.y, from.z, to.z);
-    const auto [ftf, ftt] = along_y_and_z(x_from, to.y, from.z, to.z);
-    const auto [tff, tft] = along_y_and_z(x_to, from.y, from.z, to.z);
-    const auto [ttf, ttt] = along_y_and_z(x_to, to.y, from.z, to.z);
-    return {fff, (tff + ftf + fft) / 3.0, (ttf + tft + ftt) / 3.0, ttt};
+    // The values at the corners of the box around the segment, interpolated in the order of
+    // trilinear_value(). Lanes: `from` and `to` along x; letters: along y, then z.
+    const Pair x{from.x, to.x};
+    const Pair y0z0 = lerp(both(c[0]), both(c[1]), x);
+    const Pair y1z0 = lerp(both(c[2]), both(c[3]), x);
+    const Pair y0z1 = lerp(both(c[4]), both(c[5]), x);
+    const Pair y1z1 = lerp(both(c[6]), both(c[7]), x);
+    const Pair from_z0 = lerp(y0z0, y1z0, both(from.y));
+    const Pair from_z1 = lerp(y0z1, y1z1, both(from.y));
+    const Pair to_z0 = lerp(y0z0, y1z0, both(to.y));
+    const Pair to_z1 = lerp(y0z1, y1z1, both(to.y));
+    const Pair ff = lerp(from_z0, from_z1, both(from.z));
+    const Pair ft = lerp(from_z0, from_z1, both(to.z));
+    const Pair tf = lerp(to_z0, to_z1, both(from.z));
+    const Pair tt = lerp(to_z0, to_z1, both(to.z));
+
+    constexpr double kThird = 1.0 / 3.0;
+    return {ff[0], (ff[1] + tf[0] + ft[0]) * kThird, (tf[1] + ft[1] + tt[0]) * kThird, tt[1]};
 }
 
 CubicRoots find_sign_changes(const BernsteinCubic& cubic)
 {
-    const unsigned inside = unsigned{cubic[0] >= 0.0} | unsigned{cubic[1] >= 0.0} << 1U |
-                            unsigned{cubic[2] >= 0.0} << 2U | unsigned{cubic[3] >= 0.0} << 3U;
-    const int changes = std::popcount((inside ^ (inside >> 1U)) & 7U);
-    if (changes == 0)
-        return {};
-    if (changes > 1)
+    const bool from_inside = cubic[0] >= 0.0;
+    const bool to_inside = cubic[3] >= 0.0;
+    if (from_inside == to_inside)
+    {
+        if ((cubic[1] >= 0.0) == from_inside && (cubic[2] >= 0.0) == from_inside)
+            return {};
         return search_monotone_pieces(cubic);
+    }
+    if ((cubic[1] >= 0.0) != from_inside && (cubic[2] >= 0.0) == from_inside)
+        return search_monotone_pieces(cubic); // three changes among the coefficients: up to three roots
 
     const double secant = cubic[0] / (cubic[0] - cubic[3]);
-    return {1, {root_in_bracket(PowerCubic(cubic), {0.0, cubic[0] >= 0.0}, {1.0, cubic[3] >= 0.0}, secant)}};
+    return {1, {root_in_bracket(PowerCubic(cubic), {0.0, from_inside}, {1.0, to_inside}, secant)}};
 }
 
 } // namespace voroprobe

@@ -32,6 +32,13 @@ double trilinear_value(const CellCorners& corners, const Vec3& local);
 //! coefficients are trilinear_value() of the ends to the last bit.
 BernsteinCubic restrict_to_segment(const CellCorners& corners, const Vec3& from, const Vec3& to);
 
+//! True where the coefficients show that the cubic stays on one side: most often, and quickly told.
+inline bool stays_on_one_side(const BernsteinCubic& cubic)
+{
+    const bool inside = cubic[0] >= 0.0;
+    return (cubic[1] >= 0.0) == inside && (cubic[2] >= 0.0) == inside && (cubic[3] >= 0.0) == inside;
+}
+
 //! Where the cubic changes between inside and outside, to about 1e-12. Even numbers are seen, touching zero
 //! is no change, and the number is odd exactly where the end coefficients lie on different sides.
 CubicRoots find_sign_changes(const BernsteinCubic& cubic);
