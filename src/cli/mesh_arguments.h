@@ -13,7 +13,7 @@
 #include "mesher/meshing_options.h"
 #include "oracles/trilinear_oracle.h"
 
-namespace CLI
+namespace CLI // NOLINT(readability-identifier-naming): the name of the library
 {
 class App;
 }

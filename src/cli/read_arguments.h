@@ -2,7 +2,7 @@
 
 #include "io/volume_reader.h"
 
-namespace CLI
+namespace CLI // NOLINT(readability-identifier-naming): the name of the library
 {
 class App;
 }

@@ -63,6 +63,7 @@ std::string suggestion_lines(const std::vector<SuggestedIsovalue>& suggestions)
 std::vector<HistogramMark> marks_for(const std::vector<SuggestedIsovalue>& suggestions)
 {
     std::vector<HistogramMark> marks;
+    marks.reserve(suggestions.size());
     for (const SuggestedIsovalue& s : suggestions)
         marks.push_back({s.value, number_text(s.value) + " (" + s.source + ')'});
     return marks;

@@ -20,7 +20,7 @@ protected:
         EXPECT_EQ(outcome.status, status) << outcome.err;
         EXPECT_TRUE(is_one_error_line(outcome.err)) << outcome.err;
         EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
-        EXPECT_FALSE(std::filesystem::exists(folder / "out.stl"));
+        EXPECT_FALSE(std::filesystem::exists(folder_ / "out.stl"));
     }
 };
 
@@ -29,48 +29,48 @@ TEST_F(ExitStatusTest, done_is_0)
     const Outcome outcome = run(mesh_ball("out.stl"));
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
-    EXPECT_EQ(folder.names(), (std::vector<std::string>{"ball.mha", "out.stl"}));
+    EXPECT_EQ(folder_.names(), (std::vector<std::string>{"ball.mha", "out.stl"}));
 }
 
 TEST_F(ExitStatusTest, an_output_that_cannot_be_written_is_1_and_told_before_the_input_is_read)
 {
-    expect_refusal(run({"mesh", folder / "no_such.mha", "-o", folder / "no_such_folder/out.stl"}), 1,
+    expect_refusal(run({"mesh", folder_ / "no_such.mha", "-o", folder_ / "no_such_folder/out.stl"}), 1,
                    "no_such_folder");
-    expect_refusal(run(mesh_ball("out.stl", {"--summary", folder / "no_such_folder/out.json"})), 1,
+    expect_refusal(run(mesh_ball("out.stl", {"--summary", folder_ / "no_such_folder/out.json"})), 1,
                    "no_such_folder");
-    std::filesystem::create_directory(folder / "taken.stl");
+    std::filesystem::create_directory(folder_ / "taken.stl");
     expect_refusal(run(mesh_ball("taken.stl")), 1, "taken.stl");
 }
 
 TEST_F(ExitStatusTest, an_input_that_is_missing_is_3)
 {
-    expect_refusal(run({"mesh", folder / "no_such.mha", "-o", folder / "out.stl"}), 3, "no_such.mha");
-    expect_refusal(run({"info", folder / "no_such.mha"}), 3, "no_such.mha");
+    expect_refusal(run({"mesh", folder_ / "no_such.mha", "-o", folder_ / "out.stl"}), 3, "no_such.mha");
+    expect_refusal(run({"info", folder_ / "no_such.mha"}), 3, "no_such.mha");
 }
 
 TEST_F(ExitStatusTest, an_input_that_is_broken_is_3)
 {
-    program::write_text(folder / "garbage.nrrd", "not a volume at all");
-    expect_refusal(run({"mesh", folder / "garbage.nrrd", "-o", folder / "out.stl"}), 3, "garbage.nrrd");
+    program::write_text(folder_ / "garbage.nrrd", "not a volume at all");
+    expect_refusal(run({"mesh", folder_ / "garbage.nrrd", "-o", folder_ / "out.stl"}), 3, "garbage.nrrd");
 
-    const std::string whole = program::read_text(folder / "ball.mha");
-    program::write_text(folder / "half.mha", whole.substr(0, whole.size() / 2));
-    expect_refusal(run({"mesh", folder / "half.mha", "-o", folder / "out.stl"}), 3, "half.mha");
-    expect_refusal(run({"info", folder / "half.mha"}), 3, "half.mha");
+    const std::string whole = program::read_text(folder_ / "ball.mha");
+    program::write_text(folder_ / "half.mha", whole.substr(0, whole.size() / 2));
+    expect_refusal(run({"mesh", folder_ / "half.mha", "-o", folder_ / "out.stl"}), 3, "half.mha");
+    expect_refusal(run({"info", folder_ / "half.mha"}), 3, "half.mha");
 
-    program::write_text(folder / "empty.nii.gz", "");
-    expect_refusal(run({"mesh", folder / "empty.nii.gz", "-o", folder / "out.stl"}), 3, "empty.nii.gz");
+    program::write_text(folder_ / "empty.nii.gz", "");
+    expect_refusal(run({"mesh", folder_ / "empty.nii.gz", "-o", folder_ / "out.stl"}), 3, "empty.nii.gz");
 }
 
 TEST_F(ExitStatusTest, an_isovalue_beyond_the_samples_is_4_with_one_that_works)
 {
     const Outcome outcome =
-        run({"mesh", folder / "ball.mha", "-o", folder / "out.stl", "--isovalue", "1000"});
+        run({"mesh", folder_ / "ball.mha", "-o", folder_ / "out.stl", "--isovalue", "1000"});
     expect_refusal(outcome, 4, "try --isovalue ");
 
     const std::size_t advice = outcome.err.find("--isovalue ") + std::string("--isovalue ").size();
     const std::string working = outcome.err.substr(advice, outcome.err.find(' ', advice) - advice);
-    EXPECT_EQ(run({"mesh", folder / "ball.mha", "-o", folder / "out.stl", "--isovalue", working}).status, 0)
+    EXPECT_EQ(run({"mesh", folder_ / "ball.mha", "-o", folder_ / "out.stl", "--isovalue", working}).status, 0)
         << working;
 }
 
@@ -78,8 +78,8 @@ TEST_F(ExitStatusTest, a_constant_volume_is_4)
 {
     Phantom constant = ball_phantom();
     constant.field = [](const Point3&) { return 7.0; };
-    write_phantom(constant, folder / "constant.mha");
-    expect_refusal(run({"mesh", folder / "constant.mha", "-o", folder / "out.stl"}), 4,
+    write_phantom(constant, folder_ / "constant.mha");
+    expect_refusal(run({"mesh", folder_ / "constant.mha", "-o", folder_ / "out.stl"}), 4,
                    "all samples equal 7");
 }
 
@@ -87,19 +87,19 @@ TEST_F(ExitStatusTest, a_volume_without_numbers_is_4)
 {
     Phantom nothing = ball_phantom();
     nothing.field = [](const Point3&) { return std::numeric_limits<double>::quiet_NaN(); };
-    write_phantom(nothing, folder / "nothing.mha");
-    EXPECT_EQ(run({"mesh", folder / "nothing.mha", "-o", folder / "out.stl"}).status, 4);
+    write_phantom(nothing, folder_ / "nothing.mha");
+    EXPECT_EQ(run({"mesh", folder_ / "nothing.mha", "-o", folder_ / "out.stl"}).status, 4);
 }
 
 TEST_F(ExitStatusTest, a_spent_budget_is_6_and_the_partial_mesh_is_written_and_flagged)
 {
     const Outcome outcome = run(
-        mesh_ball("out.stl", {"--size", "0.3", "--max-vertices", "200", "--summary", folder / "out.json"}));
+        mesh_ball("out.stl", {"--size", "0.3", "--max-vertices", "200", "--summary", folder_ / "out.json"}));
     EXPECT_EQ(outcome.status, 6) << outcome.err;
     EXPECT_TRUE(is_one_error_line(outcome.err)) << outcome.err;
     EXPECT_NE(outcome.err.find("--max-vertices 200"), std::string::npos) << outcome.err;
-    EXPECT_TRUE(std::filesystem::exists(folder / "out.stl"));
-    EXPECT_NE(program::read_text(folder / "out.json").find("\"status\": \"partial\""), std::string::npos);
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "out.stl"));
+    EXPECT_NE(program::read_text(folder_ / "out.json").find("\"status\": \"partial\""), std::string::npos);
     EXPECT_NE(outcome.out.find("(partial)"), std::string::npos) << outcome.out;
 }
 
@@ -119,30 +119,30 @@ TEST_F(ExitStatusTest, out_of_memory_is_6)
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     GTEST_SKIP() << "the sanitizers need the address space that this test takes away";
 #endif
-    write_sparse_volume(folder / "big.mhd", 1500);
+    write_sparse_volume(folder_ / "big.mhd", 1500);
     const program::Limits limits{.address_space =
                                      2'000'000'000}; // less than the samples, more than the libraries
-    expect_refusal(run({"mesh", folder / "big.mhd", "-o", folder / "out.stl"}, limits), 6, "out of memory");
+    expect_refusal(run({"mesh", folder_ / "big.mhd", "-o", folder_ / "out.stl"}, limits), 6, "out of memory");
 }
 
 TEST_F(ExitStatusTest, a_signal_while_reading_is_130)
 {
-    write_sparse_volume(folder / "zeros.mhd", 600);
+    write_sparse_volume(folder_ / "zeros.mhd", 600);
     const auto reads = [](const std::string& err) { return err.find("\"read\"") != std::string::npos; };
     const Outcome outcome = program::run_and_signal(
-        {"mesh", folder / "zeros.mhd", "-o", folder / "out.stl", "--progress", "json"}, SIGINT, reads);
+        {"mesh", folder_ / "zeros.mhd", "-o", folder_ / "out.stl", "--progress", "json"}, SIGINT, reads);
     EXPECT_EQ(outcome.status, 130) << outcome.err;
-    EXPECT_FALSE(std::filesystem::exists(folder / "out.stl"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out.stl"));
 }
 
 TEST_F(ExitStatusTest, an_older_mesh_survives_every_refusal)
 {
-    program::write_text(folder / "old.stl", "precious");
+    program::write_text(folder_ / "old.stl", "precious");
     EXPECT_EQ(run(mesh_ball("old.stl", {"--angle", "31"})).status, 2);
-    EXPECT_EQ(run({"mesh", folder / "no_such.mha", "-o", folder / "old.stl"}).status, 3);
-    EXPECT_EQ(run({"mesh", folder / "ball.mha", "-o", folder / "old.stl", "--isovalue", "1000"}).status, 4);
-    EXPECT_EQ(program::read_text(folder / "old.stl"), "precious");
-    EXPECT_EQ(folder.names(), (std::vector<std::string>{"ball.mha", "old.stl"}));
+    EXPECT_EQ(run({"mesh", folder_ / "no_such.mha", "-o", folder_ / "old.stl"}).status, 3);
+    EXPECT_EQ(run({"mesh", folder_ / "ball.mha", "-o", folder_ / "old.stl", "--isovalue", "1000"}).status, 4);
+    EXPECT_EQ(program::read_text(folder_ / "old.stl"), "precious");
+    EXPECT_EQ(folder_.names(), (std::vector<std::string>{"ball.mha", "old.stl"}));
 }
 
 } // namespace

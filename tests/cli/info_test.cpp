@@ -27,7 +27,7 @@ protected:
 
 TEST_F(InfoTest, text_tells_size_spacing_orientation_type_range_and_draws_a_histogram)
 {
-    const auto outcome = run({"info", folder / "ball.mha"});
+    const auto outcome = run({"info", folder_ / "ball.mha"});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     for (const char* part :
          {"24 x 24 x 24 voxels", "1 x 1 x 1 mm", "LPS", "float32", "MetaImage", "isovalues", "Otsu",
@@ -37,7 +37,7 @@ TEST_F(InfoTest, text_tells_size_spacing_orientation_type_range_and_draws_a_hist
 
 TEST_F(InfoTest, json_tells_the_same)
 {
-    const json info = info_of(folder / "ball.mha");
+    const json info = info_of(folder_ / "ball.mha");
     EXPECT_EQ(info.at("size"), json({24, 24, 24}));
     EXPECT_EQ(info.at("type"), "float32");
     EXPECT_EQ(info.at("orientation"), "LPS");
@@ -61,8 +61,8 @@ TEST_F(InfoTest, an_oblique_left_handed_lattice_is_told_as_the_file_has_it)
     oblique.spacing = {1.0, 0.8, 1.4};
     oblique.direction = {{Vec3{-0.8, 0.6, 0}, Vec3{0.6, 0.8, 0}, Vec3{0, 0, 1}}};
     oblique.origin = {30, -40, 50};
-    write_phantom(oblique, folder / "oblique.mha");
-    const json info = info_of(folder / "oblique.mha");
+    write_phantom(oblique, folder_ / "oblique.mha");
+    const json info = info_of(folder_ / "oblique.mha");
     EXPECT_EQ(info.at("orientation"), "RPS");
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
@@ -72,15 +72,15 @@ TEST_F(InfoTest, an_oblique_left_handed_lattice_is_told_as_the_file_has_it)
             EXPECT_NEAR(info.at("direction")[axis][row].get<double>(), oblique.direction.column[axis][row],
                         1e-9);
     }
-    EXPECT_NE(run({"info", folder / "oblique.mha"}).out.find("left-handed"), std::string::npos);
+    EXPECT_NE(run({"info", folder_ / "oblique.mha"}).out.find("left-handed"), std::string::npos);
 }
 
 TEST_F(InfoTest, samples_that_are_not_numbers_are_counted)
 {
     Phantom holed = ball_phantom();
     holed.field = [](const Point3& p) { return p.x < 0.5 ? std::nan("") : p.x < 1.5 ? INFINITY : p.y; };
-    write_phantom(holed, folder / "holed.mha");
-    const json info = info_of(folder / "holed.mha");
+    write_phantom(holed, folder_ / "holed.mha");
+    const json info = info_of(folder_ / "holed.mha");
     EXPECT_EQ(info.at("nan_count"), 24 * 24);
     EXPECT_EQ(info.at("infinite_count"), 24 * 24);
 }
@@ -89,29 +89,29 @@ TEST_F(InfoTest, a_label_map_is_called_one)
 {
     Phantom labels = ball_phantom();
     labels.field = [](const Point3& p) { return std::floor(p.x / 6.0); };
-    write_phantom(labels, folder / "labels.mha");
-    EXPECT_EQ(info_of(folder / "labels.mha").at("label_map"), true);
-    EXPECT_NE(run({"info", folder / "labels.mha"}).out.find("label map"), std::string::npos);
+    write_phantom(labels, folder_ / "labels.mha");
+    EXPECT_EQ(info_of(folder_ / "labels.mha").at("label_map"), true);
+    EXPECT_NE(run({"info", folder_ / "labels.mha"}).out.find("label map"), std::string::npos);
 }
 
 TEST_F(InfoTest, a_signed_distance_is_called_one)
 {
     Phantom distances = ball_phantom();
     distances.field = [](const Point3& p) { return distance(p, {11.5, 11.5, 11.5}) - 8.0; };
-    write_phantom(distances, folder / "distances.mha");
-    EXPECT_EQ(info_of(folder / "distances.mha").at("signed_distance"), true);
-    EXPECT_NE(run({"info", folder / "distances.mha"}).out.find("--isovalue 0 --inside below"),
+    write_phantom(distances, folder_ / "distances.mha");
+    EXPECT_EQ(info_of(folder_ / "distances.mha").at("signed_distance"), true);
+    EXPECT_NE(run({"info", folder_ / "distances.mha"}).out.find("--isovalue 0 --inside below"),
               std::string::npos);
-    EXPECT_EQ(info_of(folder / "ball.mha").at("signed_distance"), false); // the other way round
+    EXPECT_EQ(info_of(folder_ / "ball.mha").at("signed_distance"), false); // the other way round
 }
 
 TEST_F(InfoTest, a_constant_volume_has_no_suggestion)
 {
     Phantom constant = ball_phantom();
     constant.field = [](const Point3&) { return 7.0; };
-    write_phantom(constant, folder / "constant.mha");
-    EXPECT_EQ(info_of(folder / "constant.mha").at("suggested_isovalues"), json::array());
-    EXPECT_NE(run({"info", folder / "constant.mha"}).out.find("none separates"), std::string::npos);
+    write_phantom(constant, folder_ / "constant.mha");
+    EXPECT_EQ(info_of(folder_ / "constant.mha").at("suggested_isovalues"), json::array());
+    EXPECT_NE(run({"info", folder_ / "constant.mha"}).out.find("none separates"), std::string::npos);
 }
 
 TEST_F(InfoTest, the_head_ct_of_testdata_is_read)

@@ -25,20 +25,20 @@ TEST_P(InterruptTest, ends_with_130_and_leaves_no_file)
     EXPECT_EQ(outcome.status, 130) << outcome.err;
     EXPECT_NE(outcome.err.find("voroprobe: error: interrupted"), std::string::npos) << outcome.err;
     EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(folder.names(), (std::vector<std::string>{"ball.mha"}));
+    EXPECT_EQ(folder_.names(), (std::vector<std::string>{"ball.mha"}));
 }
 
 TEST_P(InterruptTest, leaves_an_older_mesh_and_summary_as_they_were)
 {
-    program::write_text(folder / "out.stl", "precious");
-    program::write_text(folder / "out.json", "precious too");
+    program::write_text(folder_ / "out.stl", "precious");
+    program::write_text(folder_ / "out.json", "precious too");
     std::vector<std::string> arguments = mesh_ball("out.stl", kLongRun);
-    arguments.insert(arguments.end(), {"--summary", folder / "out.json"});
+    arguments.insert(arguments.end(), {"--summary", folder_ / "out.json"});
 
     EXPECT_EQ(program::run_and_signal(arguments, GetParam(), refines).status, 130);
-    EXPECT_EQ(program::read_text(folder / "out.stl"), "precious");
-    EXPECT_EQ(program::read_text(folder / "out.json"), "precious too");
-    EXPECT_EQ(folder.names(), (std::vector<std::string>{"ball.mha", "out.json", "out.stl"}));
+    EXPECT_EQ(program::read_text(folder_ / "out.stl"), "precious");
+    EXPECT_EQ(program::read_text(folder_ / "out.json"), "precious too");
+    EXPECT_EQ(folder_.names(), (std::vector<std::string>{"ball.mha", "out.json", "out.stl"}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Signals, InterruptTest, testing::Values(SIGINT, SIGTERM),

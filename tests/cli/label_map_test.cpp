@@ -37,9 +37,12 @@ TEST(LabelMap, whole_numbers_with_noise_are_none)
 
 TEST(LabelMap, fractions_are_none)
 {
-    EXPECT_FALSE(
-        looks_like_labels(small_volume<float>({20, 10, 10}, [](std::size_t i, std::size_t, std::size_t)
-                                              { return 0.5F * static_cast<float>(i / 4); })));
+    EXPECT_FALSE(looks_like_labels(small_volume<float>({20, 10, 10},
+                                                       [](std::size_t i, std::size_t, std::size_t)
+                                                       {
+                                                           const std::size_t block = i / 4;
+                                                           return 0.5F * static_cast<float>(block);
+                                                       })));
 }
 
 TEST(LabelMap, a_mask_of_two_values_is_none)

@@ -47,6 +47,7 @@ void redirect(int descriptor, const fs::path& path)
     }
     arguments.insert(arguments.begin(), VOROPROBE_EXECUTABLE);
     std::vector<char*> argv;
+    argv.reserve(arguments.size() + 1);
     for (std::string& argument : arguments)
         argv.push_back(argument.data());
     argv.push_back(nullptr);

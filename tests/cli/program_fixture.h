@@ -12,19 +12,19 @@ namespace voroprobe
 class ProgramTest : public testing::Test
 {
 protected:
-    ProgramTest() { write_phantom(ball_phantom(), folder / "ball.mha"); }
+    ProgramTest() { write_phantom(ball_phantom(), folder_ / "ball.mha"); }
 
     //! Arguments that mesh the ball coarsely into `output`, and whatever else is asked.
     [[nodiscard]] std::vector<std::string> mesh_ball(const std::string& output,
                                                      std::vector<std::string> more = {}) const
     {
-        std::vector<std::string> arguments{"mesh",          folder / "ball.mha", "-o",
-                                           folder / output, "--isovalue",        "0"};
+        std::vector<std::string> arguments{"mesh",           folder_ / "ball.mha", "-o",
+                                           folder_ / output, "--isovalue",         "0"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return arguments;
     }
 
-    program::ScratchFolder folder;
+    program::ScratchFolder folder_;
 };
 
 //! Whether the text is one line that begins as all refusals of the program do.

@@ -15,11 +15,11 @@ class SummaryTest : public ProgramTest
 protected:
     json summary_of(const std::vector<std::string>& more = {})
     {
-        std::vector<std::string> arguments = mesh_ball("out.stl", {"--summary", folder / "out.json"});
+        std::vector<std::string> arguments = mesh_ball("out.stl", {"--summary", folder_ / "out.json"});
         arguments.insert(arguments.end(), more.begin(), more.end());
         const auto outcome = run(arguments);
         EXPECT_EQ(outcome.status, 0) << outcome.err;
-        return json::parse(program::read_text(folder / "out.json"));
+        return json::parse(program::read_text(folder_ / "out.json"));
     }
 };
 
@@ -50,7 +50,7 @@ TEST_F(SummaryTest, has_every_key_with_its_type)
 TEST_F(SummaryTest, tells_of_the_input)
 {
     const json input = summary_of().at("input");
-    EXPECT_EQ(input.at("path"), folder / "ball.mha");
+    EXPECT_EQ(input.at("path"), folder_ / "ball.mha");
     EXPECT_EQ(input.at("size"), json({24, 24, 24}));
     EXPECT_EQ(input.at("spacing"), json({1.0, 1.0, 1.0}));
     EXPECT_EQ(input.at("type"), "float32");
@@ -75,7 +75,7 @@ TEST_F(SummaryTest, lengths_follow_the_spacing_of_the_file)
     thick.size = {24, 24, 8};
     thick.spacing = {1, 1, 3.375};
     thick.field = ball({11.5, 11.5, 11.8}, 8.0);
-    write_phantom(thick, folder / "ball.mha");
+    write_phantom(thick, folder_ / "ball.mha");
     const json parameters = summary_of().at("parameters");
     EXPECT_NEAR(parameters.at("size_mm").get<double>(), 2 * 1.5, 1e-9); // the cube root of 3.375 is 1.5
     EXPECT_NEAR(parameters.at("distance_mm").get<double>(), 0.3, 1e-9);

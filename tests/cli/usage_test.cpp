@@ -19,7 +19,7 @@ protected:
         EXPECT_TRUE(is_one_error_line(outcome.err)) << outcome.err;
         for (const std::string& word : words)
             EXPECT_NE(outcome.err.find(word), std::string::npos) << word << " is not in: " << outcome.err;
-        EXPECT_FALSE(std::filesystem::exists(folder / "out.stl"));
+        EXPECT_FALSE(std::filesystem::exists(folder_ / "out.stl"));
     }
 };
 
@@ -28,7 +28,7 @@ TEST_F(UsageTest, commands_and_their_arguments_are_required)
     expect_wrong_usage({}, {"--help"});
     expect_wrong_usage({"melt"}, {"melt"});
     expect_wrong_usage({"mesh"}, {"INPUT"});
-    expect_wrong_usage({"mesh", folder / "ball.mha"}, {"--output"});
+    expect_wrong_usage({"mesh", folder_ / "ball.mha"}, {"--output"});
     expect_wrong_usage({"info"}, {"INPUT"});
 }
 
@@ -48,7 +48,7 @@ TEST_F(UsageTest, numbers_out_of_range_are_refused_with_option_value_and_range)
     for (const std::string value : {"-1", "30.5", "nan"})
         expect_wrong_usage(mesh_ball("out.stl", {"--angle", value}),
                            {"--angle", "'" + value + "'", "from 0 to 30"});
-    expect_wrong_usage({"mesh", folder / "ball.mha", "-o", folder / "out.stl", "--isovalue", "nan"},
+    expect_wrong_usage({"mesh", folder_ / "ball.mha", "-o", folder_ / "out.stl", "--isovalue", "nan"},
                        {"--isovalue", "'nan'", "auto"});
     for (const std::string value : {"0", "-3", "1.5", "many"})
         expect_wrong_usage(mesh_ball("out.stl", {"--threads", value}),
@@ -74,18 +74,18 @@ TEST_F(UsageTest, unknown_words_are_refused_with_the_known_ones)
 TEST_F(UsageTest, options_that_do_not_go_with_the_file_are_refused)
 {
     expect_wrong_usage(mesh_ball("out.stl", {"--grid", "density"}), {"--grid", ".vdb"});
-    expect_wrong_usage({"mesh", folder / "any.vdb", "-o", folder / "out.stl", "--frame", "1"},
+    expect_wrong_usage({"mesh", folder_ / "any.vdb", "-o", folder_ / "out.stl", "--frame", "1"},
                        {"--frame", ".vdb"});
-    expect_wrong_usage({"info", folder / "any.vdb", "--spacing", "1,1,1"}, {"--spacing", ".vdb"});
+    expect_wrong_usage({"info", folder_ / "any.vdb", "--spacing", "1,1,1"}, {"--spacing", ".vdb"});
 }
 
 TEST_F(UsageTest, one_file_cannot_be_input_and_output)
 {
-    std::filesystem::copy(folder / "ball.mha", folder / "ball.stl");
-    expect_wrong_usage(
-        {"mesh", folder / "ball.stl", "-o", folder / "../" + folder.path().filename().string() + "/ball.stl"},
-        {"OUTPUT and INPUT"});
-    expect_wrong_usage(mesh_ball("out.stl", {"--summary", folder / "out.stl"}), {"--summary and OUTPUT"});
+    std::filesystem::copy(folder_ / "ball.mha", folder_ / "ball.stl");
+    expect_wrong_usage({"mesh", folder_ / "ball.stl", "-o",
+                        folder_ / "../" + folder_.path().filename().string() + "/ball.stl"},
+                       {"OUTPUT and INPUT"});
+    expect_wrong_usage(mesh_ball("out.stl", {"--summary", folder_ / "out.stl"}), {"--summary and OUTPUT"});
 }
 
 TEST_F(UsageTest, a_label_map_needs_an_isovalue)
@@ -94,10 +94,11 @@ TEST_F(UsageTest, a_label_map_needs_an_isovalue)
     labels.field = [](const Point3& p) {
         return distance(p, {11.5, 11.5, 11.5}) > 8.0 ? 0.0 : p.x < 8.0 ? 1.0 : p.x < 15.0 ? 2.0 : 3.0;
     };
-    write_phantom(labels, folder / "labels.mha");
-    expect_wrong_usage({"mesh", folder / "labels.mha", "-o", folder / "out.stl"},
+    write_phantom(labels, folder_ / "labels.mha");
+    expect_wrong_usage({"mesh", folder_ / "labels.mha", "-o", folder_ / "out.stl"},
                        {"label map", "--isovalue", "0.5"});
-    EXPECT_EQ(run({"mesh", folder / "labels.mha", "-o", folder / "out.stl", "--isovalue", "0.5"}).status, 0);
+    EXPECT_EQ(run({"mesh", folder_ / "labels.mha", "-o", folder_ / "out.stl", "--isovalue", "0.5"}).status,
+              0);
 }
 
 TEST_F(UsageTest, help_and_version_go_to_stdout_and_are_no_failure)
