@@ -19,8 +19,7 @@ bool inside(DelaunayCell delaunay_cell)
     return is_inside(delaunay_cell->info().region);
 }
 
-std::vector<BoundaryFace> collect_faces(const RestrictedDelaunay& restricted,
-                                        std::vector<std::uint32_t>& face_of_facet)
+std::vector<BoundaryFace> collect_faces(const RestrictedDelaunay& restricted)
 {
     std::vector<BoundaryFace> faces;
     for (const DelaunayCell delaunay_cell : restricted.triangulation().finite_cell_handles())
@@ -29,34 +28,58 @@ std::vector<BoundaryFace> collect_faces(const RestrictedDelaunay& restricted,
             continue;
         for (int i = 0; i < 4; ++i)
         {
-            if (inside(delaunay_cell->neighbor(i)))
+            const DelaunayCell outside = delaunay_cell->neighbor(i);
+            if (inside(outside))
                 continue;
-            const FacetId id = delaunay_cell->info().facet[static_cast<std::size_t>(i)];
-            CHECK_LT(id, kUnqueriedFacet);
-            if (id >= face_of_facet.size())
-                face_of_facet.resize(id + 1);
-            face_of_facet[id] = static_cast<std::uint32_t>(faces.size());
-            faces.push_back({delaunay_cell, i, restricted.facet(id).on_border});
+            // The table of facets has served; from here on both sides of the facet name its face.
+            FacetId& here = delaunay_cell->info().facet[static_cast<std::size_t>(i)];
+            const bool on_border = here != kNoFacet && restricted.facet(here).on_border;
+            here = static_cast<std::uint32_t>(faces.size());
+            outside->info().facet[static_cast<std::size_t>(outside->index(delaunay_cell))] = here;
+            faces.push_back({delaunay_cell, i, on_border});
         }
     }
     return faces;
 }
 
-//! The odd facet met next when turning around the edge (a, b) of `face` through the inside.
-FacetId partner_across(const BoundaryFace& face, VertexHandle a, VertexHandle b)
+//! The face met next when turning around the edge (a, b) from `start`, leaving the facet opposite its vertex
+//! `entered_at`, through Delaunay cells on the same side of the surface.
+std::uint32_t next_odd_facet(DelaunayCell start, int entered_at, VertexHandle a, VertexHandle b)
 {
-    DelaunayCell delaunay_cell = face.inside;
-    int entered_at = face.index;
+    DelaunayCell delaunay_cell = start;
     while (true)
     {
         const int leave_at = 6 - entered_at - delaunay_cell->index(a) - delaunay_cell->index(b);
         const DelaunayCell next = delaunay_cell->neighbor(leave_at);
-        if (!inside(next))
+        if (inside(next) != inside(start))
             return delaunay_cell->info().facet[static_cast<std::size_t>(leave_at)];
         entered_at = next->index(delaunay_cell);
         delaunay_cell = next;
     }
 }
+
+//! Pairs odd facets across the edges they share. Where more than two share one, the surface pinches itself
+//! there: the inside parts are one where the middle of the edge is inside, and apart where it is outside.
+class EdgePairing
+{
+public:
+    explicit EdgePairing(const SurfaceOracle& oracle) : oracle_(oracle) {}
+
+    [[nodiscard]] std::uint32_t partner_across(const BoundaryFace& face, VertexHandle a, VertexHandle b) const
+    {
+        const std::uint32_t through_inside = next_odd_facet(face.inside, face.index, a, b);
+        if (!a->info().pinched || !b->info().pinched)
+            return through_inside;
+        const DelaunayCell outside = face.inside->neighbor(face.index);
+        const std::uint32_t through_outside = next_odd_facet(outside, outside->index(face.inside), a, b);
+        if (through_inside == through_outside)
+            return through_inside;
+        return joined_at_edge(oracle_, a, b) ? through_outside : through_inside;
+    }
+
+private:
+    const SurfaceOracle& oracle_;
+};
 
 std::uint32_t corner_number(const std::vector<BoundaryFace>& faces, std::uint32_t face, VertexHandle vertex)
 {
@@ -71,6 +94,11 @@ std::uint32_t corner_number(const std::vector<BoundaryFace>& faces, std::uint32_
 
 } // namespace
 
+bool joined_at_edge(const SurfaceOracle& oracle, VertexHandle a, VertexHandle b)
+{
+    return is_inside(oracle.region(0.5 * (position(a) + position(b))));
+}
+
 VertexHandle corner(const BoundaryFace& face, std::size_t k)
 {
     return face.inside->vertex(kOutwardCorners[face.index][k]);
@@ -79,21 +107,21 @@ VertexHandle corner(const BoundaryFace& face, std::size_t k)
 BoundaryComplex collect_boundary(const RestrictedDelaunay& restricted)
 {
     BoundaryComplex complex;
-    std::vector<std::uint32_t> face_of_facet;
-    complex.faces = collect_faces(restricted, face_of_facet);
+    complex.faces = collect_faces(restricted);
     const auto& faces = complex.faces;
     CHECK_LT(faces.size(), std::numeric_limits<std::uint32_t>::max() / 3);
 
     // Corners joined across edges are one vertex of the mesh.
     UnionFind corners(3 * faces.size());
     complex.partner.resize(3 * faces.size());
+    const EdgePairing pairing(restricted.oracle());
     for (std::uint32_t f = 0; f < faces.size(); ++f)
     {
         for (std::uint32_t k = 0; k < 3; ++k)
         {
             const VertexHandle a = corner(faces[f], k);
             const VertexHandle b = corner(faces[f], (k + 1) % 3);
-            const std::uint32_t partner = face_of_facet[partner_across(faces[f], a, b)];
+            const std::uint32_t partner = pairing.partner_across(faces[f], a, b);
             const std::uint32_t corner_b = corner_number(faces, partner, b); // the partner runs from b to a
             complex.partner[3 * f + k] = corner_b;
             corners.unite(3 * f + k, corner_number(faces, partner, a));

@@ -31,6 +31,10 @@ struct BoundaryComplex
         vertex_of_copy; //!< for each mesh vertex its Delaunay vertex; null for one inside an edge
 };
 
+//! Whether the inside parts that meet at a pinched edge are one there: its middle lies inside. Otherwise the
+//! outside parts are.
+bool joined_at_edge(const SurfaceOracle& oracle, VertexHandle a, VertexHandle b);
+
 //! Corner k of a boundary face, counter-clockwise seen from outside; half-edge k runs from corner k to corner
 //! k + 1.
 VertexHandle corner(const BoundaryFace& face, std::size_t k);

@@ -87,7 +87,7 @@ class ContactSeparation
 {
 public:
     ContactSeparation(const RestrictedDelaunay& restricted, BoundaryComplex& complex)
-        : triangulation_(restricted.triangulation()), complex_(complex), mesh_(complex.mesh), faces_(complex)
+        : restricted_(restricted), complex_(complex), mesh_(complex.mesh), faces_(complex)
     {
     }
 
@@ -112,7 +112,7 @@ public:
             }
         }
         std::size_t staying = 0;
-        for (const UmbrellaSides& sides : find_umbrella_sides(triangulation_, vertex, faces, copies))
+        for (const UmbrellaSides& sides : find_umbrella_sides(restricted_, vertex, faces, copies))
         {
             if (const auto move = plan_move(vertex, sides))
                 moves_.push_back(*move);
@@ -185,7 +185,7 @@ private:
     bool crosses(const Displacement& move)
     {
         std::vector<VertexHandle> neighbors{move.near};
-        triangulation_.finite_adjacent_vertices(move.near, std::back_inserter(neighbors));
+        restricted_.triangulation().finite_adjacent_vertices(move.near, std::back_inserter(neighbors));
         std::vector<std::uint32_t> nearby;
         for (const VertexHandle neighbor : neighbors)
             nearby.insert(nearby.end(), faces_.of(neighbor).begin(), faces_.of(neighbor).end());
@@ -206,7 +206,7 @@ private:
         return false;
     }
 
-    const Triangulation& triangulation_;
+    const RestrictedDelaunay& restricted_;
     BoundaryComplex& complex_;
     TriangleMesh& mesh_;
     FacesAroundVertices faces_;

@@ -29,10 +29,21 @@ FacetCriteria::FacetCriteria(const MeshingOptions& options)
 std::optional<Badness> FacetCriteria::badness(const RestrictedFacet& facet,
                                               const std::array<Point3, 3>& corners) const
 {
+    if (facet.squared_radius <= squared_smallest_)
+        return std::nullopt;
+    if (facet.odd())
+    {
+        if (const auto badness = shape_badness(facet, corners))
+            return badness;
+    }
     if (facet.crossing_count > 1 && !at_floor(facet))
         return Badness::kUnresolved;
-    if (!facet.odd() || facet.squared_radius <= squared_smallest_)
-        return std::nullopt;
+    return std::nullopt;
+}
+
+std::optional<Badness> FacetCriteria::shape_badness(const RestrictedFacet& facet,
+                                                    const std::array<Point3, 3>& corners) const
+{
     if (facet.squared_radius > squared_size_)
         return Badness::kSize;
 

@@ -10,13 +10,14 @@
 namespace voroprobe
 {
 
-//! Why a facet is bad, most urgent first.
+//! Why a facet is bad, in the order in which it is mended. What is coarse comes first: half of what looks
+//! unresolved in a coarse mesh is resolved once size, distance and angle hold.
 enum class Badness : std::uint8_t
 {
-    kUnresolved, //!< its dual edge crosses the surface more than once
-    kSize,       //!< surface Delaunay ball larger than allowed
-    kDistance,   //!< circumcenter too far from the center of the surface Delaunay ball
-    kAngle       //!< smallest angle below the bound
+    kSize,      //!< surface Delaunay ball larger than allowed
+    kDistance,  //!< circumcenter too far from the center of the surface Delaunay ball
+    kAngle,     //!< smallest angle below the bound
+    kUnresolved //!< its dual edge crosses the surface more than once
 };
 inline constexpr std::size_t kBadnessCount = 4;
 
@@ -39,6 +40,9 @@ public:
     }
 
 private:
+    [[nodiscard]] std::optional<Badness> shape_badness(const RestrictedFacet& facet,
+                                                       const std::array<Point3, 3>& corners) const;
+
     double squared_size_;
     double squared_distance_;
     double squared_sine_of_angle_;

@@ -39,6 +39,7 @@ struct VertexData
     std::uint32_t index = 0; //!< in order of insertion, sentinels first
     VertexOrigin origin = VertexOrigin::kRefinement;
     std::uint8_t initializations = 0; //!< times initialize_component() was called for it
+    bool pinched = true;              //!< its odd facets were not one umbrella, or none, when last looked at
     bool umbrella_unchecked = false;  //!< its restricted facets changed since its umbrella was last looked at
 };
 

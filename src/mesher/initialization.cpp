@@ -16,10 +16,13 @@ namespace
 constexpr double kShrinkPerAttempt = 0.25;
 // Smallest cube tried, as a fraction of the floor radius: features of the surface below the floor are not
 // pursued.
-constexpr double kSmallestCubeInFloors = 1.0 / 16.0;
+constexpr double kSmallestCubeInFloors = 0.5;
 // Half the side of the square, in distances between the first two points: its edges are then 0.75 to 1.06 of
 // that distance away from the midpoint, around the height of the equilateral triangle (0.87).
 constexpr double kSquareHalfSide = 0.75;
+// The points added must be this far, in half sides of the cube, from every vertex: two vertices close
+// together would be surrounded by a cluster of triangles of their size.
+constexpr double kLeastSeparation = 0.5;
 
 using Segments4 = std::array<Segment3, 4>;
 
@@ -110,10 +113,11 @@ private:
 
 } // namespace
 
-bool initialize_component(VertexHandle first, const SurfaceOracle& oracle, const MeshingOptions& options,
-                          Refinement& refinement, MeshingStatistics& statistics)
+bool initialize_component(VertexHandle first, const RestrictedDelaunay& restricted,
+                          const MeshingOptions& options, Refinement& refinement,
+                          MeshingStatistics& statistics)
 {
-    ComponentInitialization initialization(oracle, statistics);
+    ComponentInitialization initialization(restricted.oracle(), statistics);
     const int attempt = first->info().initializations++;
     const double largest = 0.5 * options.max_facet_radius * std::pow(kShrinkPerAttempt, attempt);
     const double smallest = std::min(largest, kSmallestCubeInFloors * options.floor_radius);
@@ -122,8 +126,12 @@ bool initialize_component(VertexHandle first, const SurfaceOracle& oracle, const
         const auto points = initialization.find_triangle(position(first), half_side);
         if (!points)
             continue;
+        const double apart = kLeastSeparation * half_side;
+        const auto is_apart = [&](const Point3& p) { return restricted.is_apart(p, apart, first); };
+        if (!std::all_of(points->begin(), points->end(), is_apart))
+            continue;
         for (const Point3& p : *points)
-            refinement.insert(p, {}, VertexOrigin::kInitialization, first);
+            refinement.insert(p, VertexOrigin::kInitialization, first);
         return true;
     }
     return false;

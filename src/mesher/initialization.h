@@ -20,7 +20,8 @@ inline constexpr std::uint8_t kMaxInitializations = 5;
 //! statistics. Cost: 16 short queries per size tried. Source: Feree & Alliez 2009, Sec. 4, with the first
 //! wish of their Sec. 5. Returns false where no second and third point were found; the vertex then stays
 //! isolated.
-bool initialize_component(VertexHandle first, const SurfaceOracle& oracle, const MeshingOptions& options,
-                          Refinement& refinement, MeshingStatistics& statistics);
+bool initialize_component(VertexHandle first, const RestrictedDelaunay& restricted,
+                          const MeshingOptions& options, Refinement& refinement,
+                          MeshingStatistics& statistics);
 
 } // namespace voroprobe

@@ -15,7 +15,8 @@ namespace voroprobe
 namespace
 {
 
-//! The inside wedge between a boundary half-edge and its partner.
+//! The part of space between a boundary half-edge and its partner: inside, or outside where the inside parts
+//! are joined.
 struct Wedge
 {
     std::uint32_t half_edge;
@@ -34,7 +35,7 @@ Vec3 into_face(const BoundaryComplex& complex, std::uint32_t half_edge)
     return normalized(to_apex - dot(to_apex, along) * along);
 }
 
-Wedge measure_wedge(const BoundaryComplex& complex, std::uint32_t half_edge)
+Wedge measure_wedge(const BoundaryComplex& complex, std::uint32_t half_edge, bool inside)
 {
     const BoundaryFace& face = complex.faces[half_edge / 3];
     const std::size_t k = half_edge % 3;
@@ -42,12 +43,13 @@ Wedge measure_wedge(const BoundaryComplex& complex, std::uint32_t half_edge)
     const Vec3 here = into_face(complex, half_edge);
     const Vec3 there = into_face(complex, complex.partner[half_edge]);
 
-    // The face's outward normal is along x here; turning from `here` away from it passes through the inside.
-    const Vec3 inward = cross(here, along);
-    double width = std::atan2(dot(there, inward), dot(there, here));
+    // The face's outward normal is along x here; the wedge begins at `here` and is swept by turning away from
+    // the normal, or towards it for an outside wedge, until `there`.
+    const Vec3 into_wedge = inside ? cross(here, along) : cross(along, here);
+    double width = std::atan2(dot(there, into_wedge), dot(there, here));
     if (width <= 0.0)
         width += 2.0 * std::numbers::pi;
-    return {half_edge, width, std::cos(0.5 * width) * here + std::sin(0.5 * width) * inward};
+    return {half_edge, width, std::cos(0.5 * width) * here + std::sin(0.5 * width) * into_wedge};
 }
 
 //! An edge of the mesh with more than two faces, by the half-edges that run from a to b.
@@ -155,15 +157,17 @@ Displacement split_wedge(BoundaryComplex& complex, FaceCutter& cutter, const Pin
 
 } // namespace
 
-std::vector<Displacement> split_pinched_edges(BoundaryComplex& complex)
+std::vector<Displacement> split_pinched_edges(const SurfaceOracle& oracle, BoundaryComplex& complex)
 {
     std::vector<Displacement> moves;
     FaceCutter cutter(complex);
     for (const PinchedEdge& edge : find_pinched_edges(complex.mesh))
     {
         std::vector<Wedge> wedges;
+        const bool joined =
+            joined_at_edge(oracle, complex.vertex_of_copy[edge.a], complex.vertex_of_copy[edge.b]);
         for (const std::uint32_t half_edge : edge.half_edges)
-            wedges.push_back(measure_wedge(complex, half_edge));
+            wedges.push_back(measure_wedge(complex, half_edge, !joined));
         std::sort(wedges.begin(), wedges.end(),
                   [](const Wedge& a, const Wedge& b) { return a.width < b.width; });
         for (std::size_t i = 0; i + 1 < wedges.size(); ++i) // the widest stays

@@ -24,9 +24,9 @@ struct Displacement
 };
 
 //! Cuts the edges that more than two faces still share after collect_boundary(), because one umbrella passes
-//! them several times at both ends: of the inside wedges at such an edge all but the widest get a middle
+//! them several times at both ends: of the wedges at such an edge all but the widest get a middle
 //! vertex of their own, to be moved into the wedge. Afterwards every edge has exactly two faces. Returns the
 //! moves. Cost: O(faces).
-std::vector<Displacement> split_pinched_edges(BoundaryComplex& complex);
+std::vector<Displacement> split_pinched_edges(const SurfaceOracle& oracle, BoundaryComplex& complex);
 
 } // namespace voroprobe

@@ -20,16 +20,21 @@ Refinement::Refinement(RestrictedDelaunay& restricted, const MeshingOptions& opt
 {
 }
 
-VertexHandle Refinement::insert(const Point3& p, DelaunayCell start, VertexOrigin origin, VertexHandle hint)
+VertexHandle Refinement::insert(const Point3& p, VertexOrigin origin, VertexHandle hint)
 {
-    const VertexHandle vertex = restricted_.insert(p, start, origin, hint);
+    const VertexHandle vertex = restricted_.insert(p, origin, hint);
+    judge_changed_facets();
+    return vertex;
+}
+
+void Refinement::judge_changed_facets()
+{
     for (const FacetId id : restricted_.changed_facets())
     {
         const RestrictedFacet& facet = restricted_.facet(id);
         if (const auto badness = criteria_.badness(facet, restricted_.corners(facet)))
             bad_facets_.push(id, facet.generation, *badness);
     }
-    return vertex;
 }
 
 void Refinement::refine()
@@ -57,7 +62,8 @@ bool Refinement::refine_facet(FacetId id)
         return false;
     }
     const Point3 center = facet.center; // the facet is gone once its center is a vertex
-    insert(center, start, VertexOrigin::kRefinement);
+    restricted_.insert(center, start, VertexOrigin::kRefinement);
+    judge_changed_facets();
     return true;
 }
 
@@ -71,7 +77,8 @@ void Refinement::refine_around(VertexHandle vertex)
             isolated_vertices_.push_back(vertex);
         return;
     }
-    if (is_umbrella(restricted_, vertex, umbrella_))
+    vertex->info().pinched = !is_umbrella(restricted_, vertex, umbrella_);
+    if (!vertex->info().pinched)
         return;
     if (const auto largest = largest_facet_above_floor())
         refine_facet(*largest);

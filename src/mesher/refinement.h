@@ -23,8 +23,8 @@ public:
     Refinement(RestrictedDelaunay& restricted, const MeshingOptions& options, MeshingStatistics& statistics,
                ProgressSink* progress);
 
-    //! Inserts a point and judges the facets that changed. As RestrictedDelaunay::insert.
-    VertexHandle insert(const Point3& p, DelaunayCell start, VertexOrigin origin, VertexHandle hint = {});
+    //! As RestrictedDelaunay::insert; judges the facets that changed.
+    VertexHandle insert(const Point3& p, VertexOrigin origin, VertexHandle hint = {});
 
     //! Until no facet is bad and every vertex that can have an umbrella has one; stops early when asked to.
     void refine();
@@ -38,6 +38,7 @@ public:
 
 private:
     bool may_go_on();
+    void judge_changed_facets();
     bool refine_facet(FacetId id);
     void refine_around(VertexHandle vertex);
     std::optional<FacetId> largest_facet_above_floor() const;

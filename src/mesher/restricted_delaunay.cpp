@@ -22,9 +22,8 @@ std::uint8_t capped_count(std::size_t count)
 
 } // namespace
 
-RestrictedDelaunay::RestrictedDelaunay(const SurfaceOracle& oracle, double least_separation,
-                                       MeshingStatistics& statistics)
-    : oracle_(oracle), squared_least_separation_(least_separation * least_separation), statistics_(statistics)
+RestrictedDelaunay::RestrictedDelaunay(const SurfaceOracle& oracle, MeshingStatistics& statistics)
+    : oracle_(oracle), statistics_(statistics)
 {
     insert_sentinels();
 }
@@ -49,15 +48,26 @@ void RestrictedDelaunay::insert_sentinels()
     }
 }
 
-VertexHandle RestrictedDelaunay::insert(const Point3& p, DelaunayCell start, VertexOrigin origin,
-                                        VertexHandle hint)
+bool RestrictedDelaunay::is_apart(const Point3& p, double least_separation, VertexHandle hint) const
+{
+    const VertexHandle nearest = triangulation_.nearest_vertex(cgal_point(p), hint->cell());
+    return squared_distance(position(nearest), p) > least_separation * least_separation;
+}
+
+VertexHandle RestrictedDelaunay::insert(const Point3& p, VertexOrigin origin, VertexHandle hint)
 {
     changed_facets_.clear();
-    if (start == DelaunayCell())
-        start = locate_conflict(p, hint);
-    if (start == DelaunayCell())
-        return {};
+    Triangulation::Locate_type type;
+    int i = 0;
+    int j = 0;
+    const DelaunayCell near = hint == VertexHandle() ? DelaunayCell() : hint->cell();
+    const DelaunayCell start = triangulation_.locate(cgal_point(p), type, i, j, near);
+    return type == Triangulation::VERTEX ? VertexHandle() : insert(p, start, origin);
+}
 
+VertexHandle RestrictedDelaunay::insert(const Point3& p, DelaunayCell start, VertexOrigin origin)
+{
+    changed_facets_.clear();
     zone_cells_.clear();
     zone_boundary_.clear();
     zone_interior_.clear();
@@ -94,14 +104,6 @@ VertexHandle RestrictedDelaunay::insert(const Point3& p, DelaunayCell start, Ver
         unchecked_vertices_.push_back(vertex);
     }
     return vertex;
-}
-
-DelaunayCell RestrictedDelaunay::locate_conflict(const Point3& p, VertexHandle hint) const
-{
-    const DelaunayCell near = hint == VertexHandle() ? DelaunayCell() : hint->cell();
-    const DelaunayCell found = triangulation_.locate(cgal_point(p), near);
-    const VertexHandle nearest = triangulation_.nearest_vertex(cgal_point(p), found);
-    return squared_distance(position(nearest), p) <= squared_least_separation_ ? DelaunayCell() : found;
 }
 
 // Before the zone is retriangulated: facets inside it vanish, those on its boundary are remembered from the
@@ -222,6 +224,7 @@ void RestrictedDelaunay::mark_unchecked(const RestrictedFacet& facet)
         if (i == facet.index || vertex->info().umbrella_unchecked)
             continue;
         vertex->info().umbrella_unchecked = true;
+        vertex->info().pinched = true; // until looked at again
         unchecked_vertices_.push_back(vertex);
     }
 }

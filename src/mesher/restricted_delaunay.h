@@ -40,14 +40,18 @@ struct RestrictedFacet
 class RestrictedDelaunay
 {
 public:
-    //! `statistics` counts insertions, queries and look-ups; both references must outlive the object. Points
-    //! that have to be located are refused where they are closer than `least_separation` to a vertex.
-    RestrictedDelaunay(const SurfaceOracle& oracle, double least_separation, MeshingStatistics& statistics);
+    //! `statistics` counts insertions, queries and look-ups; both references must outlive the object.
+    RestrictedDelaunay(const SurfaceOracle& oracle, MeshingStatistics& statistics);
 
-    //! Inserts a point of the surface. `start`: a Delaunay cell in conflict with it, or a null handle to have
-    //! it located from `hint`. Returns a null handle, and changes nothing, where the point coincides with a
-    //! vertex.
-    VertexHandle insert(const Point3& p, DelaunayCell start, VertexOrigin origin, VertexHandle hint = {});
+    //! Inserts the center of a facet's surface Delaunay ball. `start`: a Delaunay cell in conflict with it.
+    VertexHandle insert(const Point3& p, DelaunayCell start, VertexOrigin origin);
+
+    //! Inserts any point of the surface; located from `hint`, which may be null. Returns a null handle, and
+    //! changes nothing, where the point is a vertex already.
+    VertexHandle insert(const Point3& p, VertexOrigin origin, VertexHandle hint = {});
+
+    //! Whether no vertex is closer to p than `least_separation`. Located from `hint`.
+    [[nodiscard]] bool is_apart(const Point3& p, double least_separation, VertexHandle hint) const;
 
     //! The facets that the last insertion created or changed.
     [[nodiscard]] const std::vector<FacetId>& changed_facets() const { return changed_facets_; }
@@ -86,7 +90,6 @@ private:
     };
 
     void insert_sentinels();
-    DelaunayCell locate_conflict(const Point3& p, VertexHandle hint) const;
     void forget_zone();
     void set_dual_vertex(DelaunayCell delaunay_cell);
     void carry_over(const ZoneBoundaryFacet& boundary, const Point3& inserted);
@@ -96,7 +99,6 @@ private:
     void release_facet(FacetId id);
 
     const SurfaceOracle& oracle_;
-    double squared_least_separation_;
     MeshingStatistics& statistics_;
     Triangulation triangulation_;
     std::vector<RestrictedFacet> facets_;

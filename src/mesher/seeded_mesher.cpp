@@ -27,8 +27,7 @@ class SeededMesher
 {
 public:
     SeededMesher(const SurfaceOracle& oracle, const MeshingOptions& options, ProgressSink* progress)
-        : oracle_(oracle), options_(options), progress_(progress),
-          restricted_(oracle, kLeastSeparationInFloors * options.floor_radius, statistics_),
+        : oracle_(oracle), options_(options), progress_(progress), restricted_(oracle, statistics_),
           refinement_(restricted_, options_, statistics_, progress)
     {
     }
@@ -39,7 +38,7 @@ public:
         if (!first)
             return result();
 
-        initialize(refinement_.insert(*first, {}, VertexOrigin::kProbe));
+        initialize(refinement_.insert(*first, VertexOrigin::kProbe));
         do
             refinement_.refine();
         while (refinement_.status() == MeshingStatus::kDone && initialize_isolated_vertices());
@@ -49,7 +48,7 @@ public:
 private:
     void initialize(VertexHandle vertex)
     {
-        initialize_component(vertex, oracle_, options_, refinement_, statistics_);
+        initialize_component(vertex, restricted_, options_, refinement_, statistics_);
     }
 
     //! False when there is no isolated vertex left that has attempts left.

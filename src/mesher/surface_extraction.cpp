@@ -8,6 +8,7 @@
 #include "mesher/boundary_complex.h"
 #include "mesher/contact_separation.h"
 #include "mesher/pinched_edges.h"
+#include "mesher/relabelling.h"
 
 namespace voroprobe
 {
@@ -44,11 +45,12 @@ void open_border(const BoundaryComplex& complex, TriangleMesh& mesh)
 
 } // namespace
 
-TriangleMesh extract_surface(const RestrictedDelaunay& restricted, const MeshingOptions& options,
+TriangleMesh extract_surface(RestrictedDelaunay& restricted, const MeshingOptions& options,
                              MeshingStatistics& statistics)
 {
+    statistics.cells_relabelled = relabel_pinched_cells(restricted, options);
     BoundaryComplex complex = collect_boundary(restricted);
-    const auto pinched = split_pinched_edges(complex);
+    const auto pinched = split_pinched_edges(restricted.oracle(), complex);
     const ContactReport contacts = separate_contacts(restricted, complex, pinched);
     statistics.contacts_separated = contacts.separated;
     statistics.contacts_unseparated = contacts.unseparated;

@@ -10,10 +10,12 @@ namespace voroprobe
 //! The odd facets as a mesh: closed, oriented outward, every edge on exactly two faces, every vertex with one
 //! fan, no face crossing another, no unused vertex.
 //!
-//! The odd facets bound the union of the inside Delaunay cells. Where that union touches itself at an edge or
-//! a vertex, the inside parts are taken apart: each gets its own copy of the vertex, moved by a hair to its
-//! own side. Counts the exceptions in the statistics. Cost: O(Delaunay cells).
-TriangleMesh extract_surface(const RestrictedDelaunay& restricted, const MeshingOptions& options,
+//! The odd facets bound the union of the inside Delaunay cells. Where that union touches itself at an edge,
+//! cells thinner than the floor change sides if that mends it (relabelling.h); what still touches is taken
+//! apart: each part gets its own copy of the vertices, moved by a hair to its own side
+//! (contact_separation.h). Counts the exceptions in the statistics. Cost: O(Delaunay cells). Afterwards the
+//! triangulation is fit for nothing else.
+TriangleMesh extract_surface(RestrictedDelaunay& restricted, const MeshingOptions& options,
                              MeshingStatistics& statistics);
 
 } // namespace voroprobe

@@ -21,7 +21,7 @@ class Sectors
 {
 public:
     Sectors(const Triangulation& triangulation, VertexHandle vertex)
-        : vertex_(vertex), cells_(incident_cells(triangulation, vertex)), parts_(cells_.size())
+        : cells_(incident_cells(triangulation, vertex)), parts_(cells_.size())
     {
         for (std::uint32_t c = 0; c < cells_.size(); ++c)
         {
@@ -34,13 +34,13 @@ public:
         }
     }
 
-    //! Makes the outside cells at the edge to `other` one part.
-    void join_outside_at_edge(VertexHandle other)
+    //! Makes the inside (outside) cells around the edge to `other` one part.
+    void join_at_edge(VertexHandle other, bool inner)
     {
-        std::uint32_t first = static_cast<std::uint32_t>(cells_.size());
+        auto first = static_cast<std::uint32_t>(cells_.size());
         for (std::uint32_t c = 0; c < cells_.size(); ++c)
         {
-            if (inside(cells_[c]) || !cells_[c]->has_vertex(other))
+            if (inside(cells_[c]) != inner || !cells_[c]->has_vertex(other))
                 continue;
             if (first == cells_.size())
                 first = c;
@@ -64,7 +64,6 @@ private:
                                           cells_.begin());
     }
 
-    VertexHandle vertex_;
     std::vector<DelaunayCell> cells_;
     UnionFind parts_;
 };
@@ -96,13 +95,13 @@ std::vector<VertexHandle> pinched_neighbors(VertexHandle vertex, const std::vect
 
 } // namespace
 
-std::vector<UmbrellaSides> find_umbrella_sides(const Triangulation& triangulation, VertexHandle vertex,
+std::vector<UmbrellaSides> find_umbrella_sides(const RestrictedDelaunay& restricted, VertexHandle vertex,
                                                const std::vector<BoundaryFace>& faces,
                                                const std::vector<std::uint32_t>& copies)
 {
-    Sectors sectors(triangulation, vertex);
+    Sectors sectors(restricted.triangulation(), vertex);
     for (const VertexHandle other : pinched_neighbors(vertex, faces))
-        sectors.join_outside_at_edge(other);
+        sectors.join_at_edge(other, joined_at_edge(restricted.oracle(), vertex, other));
 
     // All faces of an umbrella see the same part on either side: one of them speaks for it.
     struct Parts

@@ -17,10 +17,10 @@ struct UmbrellaSides
 };
 
 //! Which side of each umbrella around `vertex` is its own. `faces`: the boundary faces with a corner there;
-//! `copies`: for each the mesh vertex at that corner. Inside Delaunay cells are one part where they share a
-//! facet at the vertex; outside cells also where they share an edge at which the surface pinches itself, for
-//! there the inside parts are drawn apart.
-std::vector<UmbrellaSides> find_umbrella_sides(const Triangulation& triangulation, VertexHandle vertex,
+//! `copies`: for each the mesh vertex at that corner. Delaunay cells on the same side are one part where they
+//! share a facet at the vertex; where the surface pinches itself along an edge the inside or the outside
+//! cells around it are joined, as joined_at_edge() says.
+std::vector<UmbrellaSides> find_umbrella_sides(const RestrictedDelaunay& restricted, VertexHandle vertex,
                                                const std::vector<BoundaryFace>& faces,
                                                const std::vector<std::uint32_t>& copies);
 

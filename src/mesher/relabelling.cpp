@@ -1,0 +1,244 @@
+#include "mesher/relabelling.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "mesher/boundary_complex.h"
+#include "support/union_find.h"
+
+namespace voroprobe
+{
+namespace
+{
+
+// What a defect costs, in faces below the angle bound: an edge left pinched is cut in the middle, which
+// leaves four such faces; it is counted at both its ends.
+constexpr int kCostOfPinchedEdgeEnd = 2;
+constexpr int kCostOfUmbrella = 1;
+constexpr int kSweeps = 8; // each sees what the one before has changed
+
+bool inside(DelaunayCell delaunay_cell)
+{
+    return is_inside(delaunay_cell->info().region);
+}
+
+bool odd(DelaunayCell delaunay_cell, int i)
+{
+    return inside(delaunay_cell) != inside(delaunay_cell->neighbor(i));
+}
+
+int count_odd_facets(DelaunayCell delaunay_cell)
+{
+    int count = 0;
+    for (int i = 0; i < 4; ++i)
+        count += odd(delaunay_cell, i) ? 1 : 0;
+    return count;
+}
+
+std::array<Point3, 4> corner_positions(DelaunayCell delaunay_cell)
+{
+    return {position(delaunay_cell->vertex(0)), position(delaunay_cell->vertex(1)),
+            position(delaunay_cell->vertex(2)), position(delaunay_cell->vertex(3))};
+}
+
+//! The least distance of a tetrahedron's corner from the plane of the others.
+double least_altitude(const std::array<Point3, 4>& p)
+{
+    const double six_volumes = std::abs(dot(p[1] - p[0], cross(p[2] - p[0], p[3] - p[0])));
+    double largest_two_areas = 0.0;
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+        const Point3& a = p[(i + 1) % 4];
+        largest_two_areas = std::max(largest_two_areas, norm(cross(p[(i + 2) % 4] - a, p[(i + 3) % 4] - a)));
+    }
+    return largest_two_areas > 0.0 ? six_volumes / largest_two_areas : 0.0;
+}
+
+//! The odd facets around one vertex as edges of its link.
+struct Link
+{
+    std::vector<VertexHandle> nodes;
+    std::vector<int> degrees;
+    std::size_t component_count = 0;
+};
+
+class Relabelling
+{
+public:
+    Relabelling(RestrictedDelaunay& restricted, const MeshingOptions& options)
+        : restricted_(restricted), floor_(options.floor_radius),
+          squared_sine_(std::pow(std::sin(options.min_facet_angle_deg * std::numbers::pi / 180.0), 2))
+    {
+    }
+
+    std::size_t run()
+    {
+        std::vector<VertexHandle> pinched;
+        for (const VertexHandle vertex : restricted_.triangulation().finite_vertex_handles())
+        {
+            if (vertex->info().pinched && vertex->info().origin != VertexOrigin::kSentinel)
+                pinched.push_back(vertex);
+        }
+        return sweep(pinched, false) + sweep(pinched, true);
+    }
+
+private:
+    std::size_t sweep(const std::vector<VertexHandle>& pinched, bool either_side)
+    {
+        std::size_t changed = 0;
+        for (int sweep = 0; sweep < kSweeps; ++sweep)
+        {
+            std::size_t changed_now = 0;
+            for (const VertexHandle vertex : pinched)
+                changed_now += mend(vertex, either_side) ? 1 : 0;
+            changed += changed_now;
+            if (changed_now == 0)
+                break;
+        }
+        return changed;
+    }
+
+    //! Changes the side of the cell at the vertex that gains most; false where none gains.
+    bool mend(VertexHandle vertex, bool either_side)
+    {
+        const Link link = link_of(vertex);
+        std::optional<std::pair<int, DelaunayCell>> best;
+        for (std::size_t n = 0; n < link.nodes.size(); ++n)
+        {
+            if (link.degrees[n] <= 2)
+                continue;
+            const bool joined = joined_at_edge(restricted_.oracle(), vertex, link.nodes[n]);
+            for (const DelaunayCell delaunay_cell : cells_around(vertex))
+            {
+                if (!delaunay_cell->has_vertex(link.nodes[n]) ||
+                    (!either_side && inside(delaunay_cell) == joined) || !may_change(delaunay_cell))
+                    continue;
+                const int gain = gain_of_change(delaunay_cell);
+                if (gain > 0 && (!best || gain > best->first))
+                    best = {gain, delaunay_cell};
+            }
+        }
+        if (!best)
+            return false;
+        change_side(best->second);
+        return true;
+    }
+
+    [[nodiscard]] bool may_change(DelaunayCell delaunay_cell) const
+    {
+        const int odd_count = count_odd_facets(delaunay_cell);
+        return odd_count > 0 && odd_count < 4 && least_altitude(corner_positions(delaunay_cell)) <= floor_;
+    }
+
+    int gain_of_change(DelaunayCell delaunay_cell)
+    {
+        const int before = cost_around(delaunay_cell);
+        change_side(delaunay_cell);
+        const int after = cost_around(delaunay_cell);
+        change_side(delaunay_cell);
+        return before - after;
+    }
+
+    static void change_side(DelaunayCell delaunay_cell)
+    {
+        delaunay_cell->info().region = -delaunay_cell->info().region;
+    }
+
+    //! Everything that depends on the side of a cell: the links of its vertices and its own facets.
+    int cost_around(DelaunayCell delaunay_cell)
+    {
+        int cost = 0;
+        const std::array<Point3, 4> corners = corner_positions(delaunay_cell);
+        for (int i = 0; i < 4; ++i)
+        {
+            const Link link = link_of(delaunay_cell->vertex(i));
+            for (const int degree : link.degrees)
+                cost += degree > 2 ? kCostOfPinchedEdgeEnd * (degree / 2 - 1) : 0;
+            cost += kCostOfUmbrella * static_cast<int>(link.component_count);
+            const auto j = static_cast<std::size_t>(i);
+            if (odd(delaunay_cell, i) &&
+                below_bound(corners[(j + 1) % 4], corners[(j + 2) % 4], corners[(j + 3) % 4]))
+                ++cost;
+        }
+        return cost;
+    }
+
+    [[nodiscard]] bool below_bound(const Point3& a, const Point3& b, const Point3& c) const
+    {
+        const double aa = squared_distance(b, c);
+        const double bb = squared_distance(c, a);
+        const double cc = squared_distance(a, b);
+        const double four_squared_areas = squared_norm(cross(b - a, c - a));
+        return std::min({aa, bb, cc}) * four_squared_areas < aa * bb * cc * squared_sine_;
+    }
+
+    const std::vector<DelaunayCell>& cells_around(VertexHandle vertex)
+    {
+        cells_.clear();
+        restricted_.triangulation().incident_cells(vertex, std::back_inserter(cells_));
+        return cells_;
+    }
+
+    Link link_of(VertexHandle vertex)
+    {
+        Link link;
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+        star_.clear();
+        restricted_.triangulation().incident_cells(vertex, std::back_inserter(star_));
+        for (const DelaunayCell delaunay_cell : star_)
+        {
+            for (int i = 0; i < 4; ++i)
+            {
+                if (!inside(delaunay_cell) || delaunay_cell->vertex(i) == vertex || !odd(delaunay_cell, i))
+                    continue;
+                const int apex = delaunay_cell->index(vertex);
+                const int a = i != 0 && apex != 0 ? 0 : i != 1 && apex != 1 ? 1 : 2;
+                const int b = 6 - apex - i - a;
+                edges.emplace_back(node(link, delaunay_cell->vertex(a)),
+                                   node(link, delaunay_cell->vertex(b)));
+            }
+        }
+        link.degrees.assign(link.nodes.size(), 0);
+        link.component_count = link.nodes.size();
+        UnionFind components(link.nodes.size());
+        for (const auto& [a, b] : edges)
+        {
+            ++link.degrees[a];
+            ++link.degrees[b];
+            if (components.find(a) != components.find(b))
+                --link.component_count;
+            components.unite(a, b);
+        }
+        return link;
+    }
+
+    static std::uint32_t node(Link& link, VertexHandle vertex)
+    {
+        const auto number = std::find(link.nodes.begin(), link.nodes.end(), vertex) - link.nodes.begin();
+        if (static_cast<std::size_t>(number) == link.nodes.size())
+            link.nodes.push_back(vertex);
+        return static_cast<std::uint32_t>(number);
+    }
+
+    RestrictedDelaunay& restricted_;
+    double floor_;
+    double squared_sine_;
+    std::vector<DelaunayCell> cells_;
+    std::vector<DelaunayCell> star_;
+};
+
+} // namespace
+
+std::size_t relabel_pinched_cells(RestrictedDelaunay& restricted, const MeshingOptions& options)
+{
+    return Relabelling(restricted, options).run();
+}
+
+} // namespace voroprobe

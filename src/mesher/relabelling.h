@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+
+#include "mesher/meshing_options.h"
+#include "mesher/restricted_delaunay.h"
+
+namespace voroprobe
+{
+
+//! Mends edges at which the surface pinches itself by moving single Delaunay cells to the other side of it.
+//!
+//! The circumcenter of a sliver that lies along the surface may fall on either side of it, and a sliver on
+//! the wrong side hangs on an edge. Any choice of sides gives a closed surface without crossings, so a cell
+//! thinner than the floor may change sides where that leaves fewer pinched edges, umbrellas and angles below
+//! the bound at its four vertices, taken together. Cells that agree with the oracle come first: they become
+//! inside where the middle of the pinched edge is inside, and outside where it is outside. A cell that is a
+//! piece (or a hole) by itself never changes. Returns the number of cells changed. Cost: O(pinched vertices).
+std::size_t relabel_pinched_cells(RestrictedDelaunay& restricted, const MeshingOptions& options);
+
+} // namespace voroprobe
