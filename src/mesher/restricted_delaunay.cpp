@@ -258,6 +258,13 @@ void RestrictedDelaunay::odd_facets_around(VertexHandle vertex, std::vector<Face
     }
 }
 
+std::size_t RestrictedDelaunay::count_unresolved_facets() const
+{
+    return static_cast<std::size_t>(std::count_if(facets_.begin(), facets_.end(),
+                                                  [](const RestrictedFacet& facet)
+                                                  { return facet.crossing_count > 1; }));
+}
+
 DelaunayCell RestrictedDelaunay::conflicting_cell(const RestrictedFacet& facet) const
 {
     const auto center = cgal_point(facet.center);

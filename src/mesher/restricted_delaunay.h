@@ -63,6 +63,9 @@ public:
     //! The odd facets incident to a vertex, into `facets` (cleared first).
     void odd_facets_around(VertexHandle vertex, std::vector<FacetId>& facets);
 
+    //! Number of facets whose dual edge crosses the surface more than once.
+    [[nodiscard]] std::size_t count_unresolved_facets() const;
+
     //! One of the two Delaunay cells of the facet that is in conflict with its center; null where rounding
     //! hides both.
     [[nodiscard]] DelaunayCell conflicting_cell(const RestrictedFacet& facet) const;

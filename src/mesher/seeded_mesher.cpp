@@ -57,8 +57,11 @@ private:
         bool any = false;
         while (const auto isolated = refinement_.take_isolated_vertex())
         {
-            if ((*isolated)->info().initializations >= kMaxInitializations)
-                continue; // abandoned: counted in the result
+            if ((*isolated)->info().initializations == kMaxInitializations)
+            {
+                ++statistics_.isolated_vertices_abandoned;
+                continue;
+            }
             initialize(*isolated);
             any = true;
             if (options_.isolated_vertices == IsolatedVertices::kOneAtATime)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesher/boundary_complex.h"
+#include "mesher/component_origins.h"
 #include "mesher/contact_separation.h"
 #include "mesher/pinched_edges.h"
 #include "mesher/relabelling.h"
@@ -48,12 +49,14 @@ void open_border(const BoundaryComplex& complex, TriangleMesh& mesh)
 TriangleMesh extract_surface(RestrictedDelaunay& restricted, const MeshingOptions& options,
                              MeshingStatistics& statistics)
 {
+    statistics.facets_at_floor = restricted.count_unresolved_facets();
     statistics.cells_relabelled = relabel_pinched_cells(restricted, options);
     BoundaryComplex complex = collect_boundary(restricted);
     const auto pinched = split_pinched_edges(restricted.oracle(), complex);
     const ContactReport contacts = separate_contacts(restricted, complex, pinched);
     statistics.contacts_separated = contacts.separated;
     statistics.contacts_unseparated = contacts.unseparated;
+    count_component_origins(complex, statistics);
     TriangleMesh mesh = std::move(complex.mesh);
     if (!options.close_border)
         open_border(complex, mesh);
