@@ -102,6 +102,7 @@ Json work_json(const MeshingStatistics& statistics)
     return {{"insertions", statistics.insertions},
             {"stale_queue_entries", statistics.stale_queue_entries},
             {"facets_at_floor", statistics.facets_at_floor},
+            {"cells_relabelled", statistics.cells_relabelled},
             {"contacts_separated", statistics.contacts_separated},
             {"contacts_unseparated", statistics.contacts_unseparated}};
 }
