@@ -14,6 +14,14 @@ namespace
 // from outside it.
 constexpr int kOutwardCorners[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
+constexpr auto kUnnumbered = std::numeric_limits<std::uint32_t>::max();
+
+//! The half-edge, or corner, that follows in the same face.
+std::uint32_t next_in_face(std::uint32_t half_edge)
+{
+    return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1;
+}
+
 bool inside(DelaunayCell delaunay_cell)
 {
     return is_inside(delaunay_cell->info().region);
@@ -113,23 +121,23 @@ BoundaryComplex collect_boundary(const RestrictedDelaunay& restricted)
 
     // Corners joined across edges are one vertex of the mesh.
     UnionFind corners(3 * faces.size());
-    complex.partner.resize(3 * faces.size());
+    complex.partner.assign(3 * faces.size(), kUnnumbered);
     const EdgePairing pairing(restricted.oracle());
-    for (std::uint32_t f = 0; f < faces.size(); ++f)
+    for (std::uint32_t half_edge = 0; half_edge < 3 * faces.size(); ++half_edge)
     {
-        for (std::uint32_t k = 0; k < 3; ++k)
-        {
-            const VertexHandle a = corner(faces[f], k);
-            const VertexHandle b = corner(faces[f], (k + 1) % 3);
-            const std::uint32_t partner = pairing.partner_across(faces[f], a, b);
-            const std::uint32_t corner_b = corner_number(faces, partner, b); // the partner runs from b to a
-            complex.partner[3 * f + k] = corner_b;
-            corners.unite(3 * f + k, corner_number(faces, partner, a));
-            corners.unite(3 * f + (k + 1) % 3, corner_b);
-        }
+        if (complex.partner[half_edge] != kUnnumbered)
+            continue; // the partner's partner
+        const std::uint32_t f = half_edge / 3;
+        const VertexHandle a = corner(faces[f], half_edge % 3);
+        const VertexHandle b = corner(faces[f], next_in_face(half_edge) % 3);
+        const std::uint32_t partner = pairing.partner_across(faces[f], a, b);
+        const std::uint32_t corner_b = corner_number(faces, partner, b); // the partner runs from b to a
+        complex.partner[half_edge] = corner_b;
+        complex.partner[corner_b] = half_edge;
+        corners.unite(half_edge, corner_number(faces, partner, a));
+        corners.unite(next_in_face(half_edge), corner_b);
     }
 
-    constexpr auto kUnnumbered = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> vertex_of_corner(3 * faces.size(), kUnnumbered);
     for (std::uint32_t f = 0; f < faces.size(); ++f)
     {

@@ -10,7 +10,7 @@ namespace voroprobe
 
 //! How far a vertex is moved at a contact, as a fraction of the shortest edge there: far above the rounding
 //! of 32-bit coordinates, far below what could be seen.
-inline constexpr double kHairPerEdge = 0.05;
+inline constexpr double kHairPerEdge = 0.01;
 
 //! A vertex that has to leave the place it shares with others.
 struct Displacement
