@@ -87,35 +87,38 @@ void BrickMap::compute_distances()
         distances_[b] = masks_[b] != 0 ? 0 : kFarthest;
 
     const auto [nx, ny, nz] = brick_count_;
-    const auto relax = [&](int x, int y, int z, int direction)
-    {
-        const std::size_t here = static_cast<std::size_t>(x) + static_cast<std::size_t>(y) * row_stride_ +
-                                 static_cast<std::size_t>(z) * slice_stride_;
-        int nearest = distances_[here];
-        for (int dz = -1; dz <= 0; ++dz)
-            for (int dy = -1; dy <= (dz == 0 ? 0 : 1); ++dy)
-                for (int dx = -1; dx <= (dz == 0 && dy == 0 ? -1 : 1); ++dx)
-                {
-                    const int qx = x + direction * dx;
-                    const int qy = y + direction * dy;
-                    const int qz = z + direction * dz;
-                    if (qx < 0 || qy < 0 || qz < 0 || qx >= nx || qy >= ny || qz >= nz)
-                        continue;
-                    const std::size_t there = static_cast<std::size_t>(qx) +
-                                              static_cast<std::size_t>(qy) * row_stride_ +
-                                              static_cast<std::size_t>(qz) * slice_stride_;
-                    nearest = std::min(nearest, distances_[there] + 1);
-                }
-        distances_[here] = static_cast<std::uint8_t>(nearest);
-    };
     for (int z = 0; z < nz; ++z)
         for (int y = 0; y < ny; ++y)
             for (int x = 0; x < nx; ++x)
-                relax(x, y, z, 1);
+                relax_distance({x, y, z}, Neighbours::kBefore);
     for (int z = nz - 1; z >= 0; --z)
         for (int y = ny - 1; y >= 0; --y)
             for (int x = nx - 1; x >= 0; --x)
-                relax(x, y, z, -1);
+                relax_distance({x, y, z}, Neighbours::kAfter);
+}
+
+void BrickMap::relax_distance(const std::array<int, 3>& brick, Neighbours neighbours)
+{
+    const auto index = [&](const std::array<int, 3>& b)
+    {
+        return static_cast<std::size_t>(b[0]) + static_cast<std::size_t>(b[1]) * row_stride_ +
+               static_cast<std::size_t>(b[2]) * slice_stride_;
+    };
+    const int direction = neighbours == Neighbours::kBefore ? 1 : -1;
+    int nearest = distances_[index(brick)];
+    for (int dz = -1; dz <= 0; ++dz)
+        for (int dy = -1; dy <= (dz == 0 ? 0 : 1); ++dy)
+            for (int dx = -1; dx <= (dz == 0 && dy == 0 ? -1 : 1); ++dx)
+            {
+                const std::array<int, 3> other{brick[0] + direction * dx, brick[1] + direction * dy,
+                                               brick[2] + direction * dz};
+                bool in_grid = true;
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    in_grid = in_grid && other[axis] >= 0 && other[axis] < brick_count_[axis];
+                if (in_grid)
+                    nearest = std::min(nearest, distances_[index(other)] + 1);
+            }
+    distances_[index(brick)] = static_cast<std::uint8_t>(nearest);
 }
 
 bool BrickMap::any_mixed(const GridCellBox& box) const

@@ -72,6 +72,14 @@ private:
     void mark_mixed(const std::array<std::size_t, 3>& sample_count, const SliceSides& sides_of_slice);
     void compute_distances();
 
+    //! Those that come before a brick in memory, or after it.
+    enum class Neighbours
+    {
+        kBefore,
+        kAfter
+    };
+    void relax_distance(const std::array<int, 3>& brick, Neighbours neighbours);
+
     std::array<int, 3> brick_count_{};
     std::size_t row_stride_ = 0;
     std::size_t slice_stride_ = 0;

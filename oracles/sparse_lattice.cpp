@@ -80,6 +80,7 @@ public:
 
 private:
     static constexpr int kSide = kLeafSide + 1;
+    static constexpr std::size_t kCount = std::size_t{kSide} * kSide * kSide;
 
     static int index(int x, int y, int z) { return (x * kSide + y) * kSide + z; }
 
@@ -101,7 +102,7 @@ private:
                 }
     }
 
-    std::array<std::uint8_t, kSide * kSide * kSide> inside_{};
+    std::array<std::uint8_t, kCount> inside_{};
     int inside_count_ = 0;
 };
 
@@ -195,9 +196,12 @@ bool SparseLattice::Reader::any_mixed(const GridCellBox& box)
     // By look-ups where the box is small, by the list of leaves where it is large.
     const Coord low = wanted.min() & ~(kLeafSide - 1);
     const Coord extent = wanted.max() - low;
-    const double blocks =
-        (extent.x() / kLeafSide + 1.0) * (extent.y() / kLeafSide + 1.0) * (extent.z() / kLeafSide + 1.0);
-    if (blocks > mixed_.tree().leafCount())
+    const auto blocks_along = [](int voxels) { return static_cast<std::uint64_t>(voxels) / kLeafSide + 1; };
+    // At most 2^27 along each axis; the product of three may pass 64 bits, hence the order of the tests.
+    const std::uint64_t leaf_count = mixed_.tree().leafCount();
+    const std::uint64_t blocks_xy = blocks_along(extent.x()) * blocks_along(extent.y());
+    const bool large = blocks_xy > leaf_count || blocks_xy * blocks_along(extent.z()) > leaf_count;
+    if (large)
     {
         for (auto leaf = mixed_.tree().cbeginLeaf(); leaf; ++leaf)
             if (wanted.hasOverlap(leaf->getNodeBoundingBox()) && any_in_leaf(*leaf))

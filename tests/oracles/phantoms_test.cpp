@@ -83,7 +83,7 @@ TEST(Phantoms, samples_lie_where_the_grid_says)
     const auto& samples = std::get<std::vector<float>>(volume.samples);
     ASSERT_EQ(samples.size(), 60U);
     EXPECT_EQ(samples[2 + 3 * (3 + 4 * 4)], 1.0F + 300.0F + 80'000.0F);
-    EXPECT_EQ(volume.geometry.source_index_from_grid * Point3(1, 3, 8), Point3(2, 3, 4));
+    EXPECT_EQ(volume.geometry.source_index_from_grid * (Point3{1, 3, 8}), (Point3{2, 3, 4}));
 }
 
 } // namespace

@@ -31,7 +31,7 @@ Volume volume_of(const std::array<std::size_t, 3>& size, const Vec3& spacing, Sa
 Volume random_float_volume(std::uint64_t seed, const Vec3& spacing)
 {
     Random random(seed);
-    std::vector<float> samples(13 * 11 * 12);
+    std::vector<float> samples(std::size_t{13} * 11 * 12);
     for (float& sample : samples)
         sample = static_cast<float>(random.uniform(-1.0, 1.0));
     return volume_of({13, 11, 12}, spacing, samples);
@@ -42,7 +42,7 @@ template <class Sample>
 Volume random_integer_volume(std::uint64_t seed, const Vec3& spacing)
 {
     Random random(seed);
-    std::vector<Sample> samples(13 * 11 * 12);
+    std::vector<Sample> samples(std::size_t{13} * 11 * 12);
     for (Sample& sample : samples)
         sample = static_cast<Sample>(random.below(5));
     return volume_of({13, 11, 12}, spacing, samples);
@@ -305,7 +305,7 @@ TEST(TrilinearOracle, samples_that_are_not_finite_are_outside)
         for (const InsideIs inside : {InsideIs::kAbove, InsideIs::kBelow})
         {
             const double object = inside == InsideIs::kAbove ? 1.0 : -1.0;
-            std::vector<double> samples(7 * 7 * 7, object);
+            std::vector<double> samples(std::size_t{7} * 7 * 7, object);
             samples[3 + 7 * (3 + 7 * 3)] = bad;
             const auto oracle = oracle_of(volume_of({7, 7, 7}, {1, 1, 1}, samples), 0.0, inside);
             EXPECT_FALSE(is_inside(oracle->region({3, 3, 3})));
