@@ -14,12 +14,13 @@ namespace voroprobe
 //! unresolved in a coarse mesh is resolved once size, distance and angle hold.
 enum class Badness : std::uint8_t
 {
-    kSize,      //!< surface Delaunay ball larger than allowed
-    kDistance,  //!< circumcenter too far from the center of the surface Delaunay ball
-    kAngle,     //!< smallest angle below the bound
-    kUnresolved //!< its dual edge crosses the surface more than once
+    kSize,       //!< surface Delaunay ball larger than allowed
+    kDistance,   //!< circumcenter too far from the center of the surface Delaunay ball
+    kAngle,      //!< smallest angle below the bound
+    kUnresolved, //!< its dual edge crosses the surface more than once
+    kPinched     //!< the largest around a vertex whose odd facets are not one umbrella (check_umbrellas)
 };
-inline constexpr std::size_t kBadnessCount = 4;
+inline constexpr std::size_t kBadnessCount = 5;
 
 //! The criteria of Feree & Alliez 2009, Definition 8, in a form without roots or trigonometry. The bounds are
 //! squared once.
@@ -28,8 +29,8 @@ class FacetCriteria
 public:
     explicit FacetCriteria(const MeshingOptions& options);
 
-    //! The most urgent criterion the facet breaks, if any. Crossings closer together than the floor are not
-    //! pursued.
+    //! The first criterion the facet breaks by itself, if any. Crossings closer together than the floor are
+    //! not pursued.
     [[nodiscard]] std::optional<Badness> badness(const RestrictedFacet& facet,
                                                  const std::array<Point3, 3>& corners) const;
 

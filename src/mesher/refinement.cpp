@@ -43,59 +43,36 @@ void Refinement::refine()
     {
         if (const auto bad_facet = bad_facets_.pop(restricted_, statistics_.stale_queue_entries))
             refine_facet(*bad_facet);
-        else if (const VertexHandle vertex = restricted_.take_unchecked_vertex(); vertex != VertexHandle())
-            refine_around(vertex);
-        else
+        else if (!find_pinched_vertices())
             return;
     }
 }
 
 // Inserts the center of the facet's surface Delaunay ball. False where rounding hides the conflict: the facet
 // is kept as it is.
-bool Refinement::refine_facet(FacetId id)
+void Refinement::refine_facet(FacetId id)
 {
     RestrictedFacet& facet = restricted_.facet(id);
     const DelaunayCell start = restricted_.conflicting_cell(facet);
     if (start == DelaunayCell())
     {
         facet.kept = true;
-        return false;
+        return;
     }
     const Point3 center = facet.center; // the facet is gone once its center is a vertex
     restricted_.insert(center, start, VertexOrigin::kRefinement);
     judge_changed_facets();
-    return true;
 }
 
-// The manifold criterion: where the facets around a vertex are not one umbrella, the largest of them is bad.
-void Refinement::refine_around(VertexHandle vertex)
+// Adds the facets that break the manifold criterion to the queue; false where there is none.
+bool Refinement::find_pinched_vertices()
 {
-    restricted_.odd_facets_around(vertex, umbrella_);
-    if (umbrella_.empty())
-    {
-        if (vertex->info().origin != VertexOrigin::kSentinel)
-            isolated_vertices_.push_back(vertex);
-        return;
-    }
-    vertex->info().pinched = !is_umbrella(restricted_, vertex, umbrella_);
-    if (!vertex->info().pinched)
-        return;
-    if (const auto largest = largest_facet_above_floor())
-        refine_facet(*largest);
-}
-
-std::optional<FacetId> Refinement::largest_facet_above_floor() const
-{
-    std::optional<FacetId> largest;
-    for (const FacetId id : umbrella_)
-    {
-        const RestrictedFacet& facet = restricted_.facet(id);
-        if (facet.kept || criteria_.at_floor(facet))
-            continue;
-        if (!largest || facet.squared_radius > restricted_.facet(*largest).squared_radius)
-            largest = id;
-    }
-    return largest;
+    const UmbrellaFindings findings = check_umbrellas(restricted_, criteria_);
+    isolated_vertices_.insert(isolated_vertices_.end(), findings.isolated_vertices.begin(),
+                              findings.isolated_vertices.end());
+    for (const FacetId id : findings.bad_facets)
+        bad_facets_.push(id, restricted_.facet(id).generation, Badness::kPinched);
+    return !findings.bad_facets.empty();
 }
 
 std::optional<VertexHandle> Refinement::take_isolated_vertex()
@@ -104,8 +81,8 @@ std::optional<VertexHandle> Refinement::take_isolated_vertex()
     {
         const VertexHandle vertex = isolated_vertices_.back();
         isolated_vertices_.pop_back();
-        restricted_.odd_facets_around(vertex, umbrella_);
-        if (umbrella_.empty())
+        restricted_.odd_facets_around(vertex, facets_);
+        if (facets_.empty())
             return vertex;
     }
     return std::nullopt;

@@ -39,9 +39,8 @@ public:
 private:
     bool may_go_on();
     void judge_changed_facets();
-    bool refine_facet(FacetId id);
-    void refine_around(VertexHandle vertex);
-    std::optional<FacetId> largest_facet_above_floor() const;
+    void refine_facet(FacetId id);
+    bool find_pinched_vertices();
 
     RestrictedDelaunay& restricted_;
     MeshingStatistics& statistics_;
@@ -51,7 +50,7 @@ private:
     std::size_t next_report_ = 0; //!< insertions
     BadFacetQueue bad_facets_;
     std::vector<VertexHandle> isolated_vertices_;
-    std::vector<FacetId> umbrella_; //!< scratch
+    std::vector<FacetId> facets_; //!< scratch
     MeshingStatus status_ = MeshingStatus::kDone;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "mesher/circumcenter.h"
 #include "support/check.h"
@@ -98,11 +99,7 @@ VertexHandle RestrictedDelaunay::insert(const Point3& p, DelaunayCell start, Ver
                 query_dual_edge(delaunay_cell, i, kNoFacet);
         }
     }
-    if (!vertex->info().umbrella_unchecked)
-    {
-        vertex->info().umbrella_unchecked = true;
-        unchecked_vertices_.push_back(vertex);
-    }
+    mark_unchecked(vertex);
     return vertex;
 }
 
@@ -197,6 +194,8 @@ void RestrictedDelaunay::query_dual_edge(DelaunayCell delaunay_cell, int index, 
     facet.delaunay_cell = delaunay_cell;
     facet.index = static_cast<std::uint8_t>(index);
     facet.crossing_count = capped_count(crossings_.size());
+    for (std::size_t k = 0; k < 3; ++k)
+        facet.vertices[k] = delaunay_cell->vertex((index + static_cast<int>(k) + 1) & 3)->info().index;
     facet.kept = false;
     facet.squared_radius = -1.0;
     const Point3 corner = position(delaunay_cell->vertex((index + 1) & 3));
@@ -220,23 +219,26 @@ void RestrictedDelaunay::mark_unchecked(const RestrictedFacet& facet)
         return;
     for (int i = 0; i < 4; ++i)
     {
-        const VertexHandle vertex = facet.delaunay_cell->vertex(i);
-        if (i == facet.index || vertex->info().umbrella_unchecked)
-            continue;
-        vertex->info().umbrella_unchecked = true;
-        vertex->info().pinched = true; // until looked at again
-        unchecked_vertices_.push_back(vertex);
+        if (i != facet.index)
+            mark_unchecked(facet.delaunay_cell->vertex(i));
     }
 }
 
-VertexHandle RestrictedDelaunay::take_unchecked_vertex()
+void RestrictedDelaunay::mark_unchecked(VertexHandle vertex)
 {
-    if (unchecked_vertices_.empty())
-        return {};
-    const VertexHandle vertex = unchecked_vertices_.back();
-    unchecked_vertices_.pop_back();
-    vertex->info().umbrella_unchecked = false;
-    return vertex;
+    VertexData& data = vertex->info();
+    if (data.umbrella_unchecked || data.origin == VertexOrigin::kSentinel)
+        return;
+    data.umbrella_unchecked = true;
+    data.pinched = true; // until looked at again
+    unchecked_vertices_.push_back(vertex);
+}
+
+std::vector<VertexHandle> RestrictedDelaunay::take_unchecked_vertices()
+{
+    for (const VertexHandle vertex : unchecked_vertices_)
+        vertex->info().umbrella_unchecked = false;
+    return std::exchange(unchecked_vertices_, {});
 }
 
 void RestrictedDelaunay::odd_facets_around(VertexHandle vertex, std::vector<FacetId>& facets)

@@ -21,7 +21,8 @@ struct RestrictedFacet
         0; //!< crossings of the dual edge, capped at 255 with the parity kept; 0: slot is free
     bool on_border = false; //!< the crossing lies on a cap that closes the object at the domain's border
     bool kept = false;      //!< breaks a criterion but is as small as the floor
-    std::uint32_t generation = 0; //!< changes whenever the slot is reused or the facet recomputed
+    std::array<std::uint32_t, 3> vertices{}; //!< indices of the corners
+    std::uint32_t generation = 0;            //!< changes whenever the slot is reused or the facet recomputed
 
     //! Odd facets separate inside from outside: they are the mesh. Even ones are evidence of unresolved
     //! surface.
@@ -56,9 +57,11 @@ public:
     //! The facets that the last insertion created or changed.
     [[nodiscard]] const std::vector<FacetId>& changed_facets() const { return changed_facets_; }
 
-    //! Takes a vertex whose restricted facets changed since it was last taken; a null handle when there is
-    //! none.
-    VertexHandle take_unchecked_vertex();
+    //! Takes the vertices, sentinels left out, whose odd facets changed since they were last taken.
+    std::vector<VertexHandle> take_unchecked_vertices();
+
+    //! Facet ids run below this; slots whose crossing_count is 0 are free.
+    [[nodiscard]] FacetId facet_slots() const { return static_cast<FacetId>(facets_.size()); }
 
     //! The odd facets incident to a vertex, into `facets` (cleared first).
     void odd_facets_around(VertexHandle vertex, std::vector<FacetId>& facets);
@@ -98,6 +101,7 @@ private:
     void carry_over(const ZoneBoundaryFacet& boundary, const Point3& inserted);
     void query_dual_edge(DelaunayCell delaunay_cell, int index, FacetId reuse);
     void mark_unchecked(const RestrictedFacet& facet);
+    void mark_unchecked(VertexHandle vertex);
     FacetId allocate_facet();
     void release_facet(FacetId id);
 

@@ -1,44 +1,120 @@
 #include "mesher/umbrella.h"
 
-#include <array>
+#include <algorithm>
+#include <numeric>
+#include <optional>
 #include <utility>
-#include <vector>
 
 namespace voroprobe
 {
 namespace
 {
 
+// From this share of the vertices on, one pass over all facets is quicker than the Delaunay cells around each
+// vertex.
+constexpr std::size_t kVerticesPerCheckedForOnePass = 32;
+
+using LinkEdge = std::pair<std::uint32_t, std::uint32_t>;
+
 //! The two vertices of a facet other than `apex`.
-std::pair<VertexHandle, VertexHandle> link_edge(const RestrictedFacet& facet, VertexHandle apex)
+LinkEdge link_edge(const RestrictedFacet& facet, std::uint32_t apex)
 {
-    std::array<VertexHandle, 2> ends;
-    std::size_t found = 0;
-    for (int i = 0; i < 4; ++i)
+    const auto& [a, b, c] = facet.vertices;
+    if (a == apex)
+        return {b, c};
+    return b == apex ? LinkEdge{a, c} : LinkEdge{a, b};
+}
+
+//! The odd facets around chosen vertices, gathered in one pass over all facets.
+class FacetsOfVertices
+{
+public:
+    FacetsOfVertices(const RestrictedDelaunay& restricted, const std::vector<VertexHandle>& vertices)
     {
-        const VertexHandle vertex = facet.delaunay_cell->vertex(i);
-        if (i != facet.index && vertex != apex && found < 2)
-            ends[found++] = vertex;
+        std::size_t last = 0;
+        for (const VertexHandle vertex : vertices)
+            last = std::max<std::size_t>(last, vertex->info().index);
+        std::vector<std::uint8_t> wanted(last + 1, 0);
+        for (const VertexHandle vertex : vertices)
+            wanted[vertex->info().index] = 1;
+
+        begin_.assign(last + 2, 0);
+        const auto for_each_wanted = [&](auto&& visit)
+        {
+            for (FacetId id = 0; id < restricted.facet_slots(); ++id)
+            {
+                if (!restricted.facet(id).odd())
+                    continue;
+                for (const std::uint32_t vertex : restricted.facet(id).vertices)
+                {
+                    if (vertex <= last && wanted[vertex] != 0)
+                        visit(vertex, id);
+                }
+            }
+        };
+        for_each_wanted([&](std::uint32_t vertex, FacetId) { ++begin_[vertex + 1]; });
+        std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+        facets_.resize(begin_.back());
+        std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+        for_each_wanted([&](std::uint32_t vertex, FacetId id) { facets_[next[vertex]++] = id; });
     }
-    return {ends[0], ends[1]};
+
+    [[nodiscard]] std::span<const FacetId> of(std::uint32_t vertex) const
+    {
+        return {facets_.data() + begin_[vertex], facets_.data() + begin_[vertex + 1]};
+    }
+
+private:
+    std::vector<std::uint32_t> begin_;
+    std::vector<FacetId> facets_;
+};
+
+std::optional<FacetId> largest_above_floor(const RestrictedDelaunay& restricted,
+                                           const FacetCriteria& criteria, std::span<const FacetId> facets)
+{
+    std::optional<FacetId> largest;
+    for (const FacetId id : facets)
+    {
+        const RestrictedFacet& facet = restricted.facet(id);
+        if (facet.kept || criteria.at_floor(facet))
+            continue;
+        if (!largest || facet.squared_radius > restricted.facet(*largest).squared_radius)
+            largest = id;
+    }
+    return largest;
+}
+
+void look_at(VertexHandle vertex, std::span<const FacetId> facets, const RestrictedDelaunay& restricted,
+             const FacetCriteria& criteria, UmbrellaFindings& findings)
+{
+    if (facets.empty())
+    {
+        findings.isolated_vertices.push_back(vertex);
+        return;
+    }
+    vertex->info().pinched = !is_umbrella(restricted, vertex->info().index, facets);
+    if (!vertex->info().pinched)
+        return;
+    if (const auto largest = largest_above_floor(restricted, criteria, facets))
+        findings.bad_facets.push_back(*largest);
 }
 
 } // namespace
 
-bool is_umbrella(const RestrictedDelaunay& restricted, VertexHandle vertex, std::span<const FacetId> facets)
+bool is_umbrella(const RestrictedDelaunay& restricted, std::uint32_t vertex, std::span<const FacetId> facets)
 {
     if (facets.empty())
         return false;
 
     // Walk along the link from the first edge; a vertex of the link met by more than two edges shows as a
     // count too high.
-    thread_local std::vector<std::pair<VertexHandle, VertexHandle>> link;
+    thread_local std::vector<LinkEdge> link;
     link.clear();
     for (const FacetId id : facets)
         link.push_back(link_edge(restricted.facet(id), vertex));
 
-    const VertexHandle first = link.front().first;
-    VertexHandle end = link.front().second;
+    const std::uint32_t first = link.front().first;
+    std::uint32_t end = link.front().second;
     std::size_t walked = 1;
     while (end != first)
     {
@@ -60,6 +136,26 @@ bool is_umbrella(const RestrictedDelaunay& restricted, VertexHandle vertex, std:
         ++walked;
     }
     return walked == link.size();
+}
+
+UmbrellaFindings check_umbrellas(RestrictedDelaunay& restricted, const FacetCriteria& criteria)
+{
+    UmbrellaFindings findings;
+    const std::vector<VertexHandle> vertices = restricted.take_unchecked_vertices();
+    if (vertices.size() * kVerticesPerCheckedForOnePass > restricted.vertex_count())
+    {
+        const FacetsOfVertices facets(restricted, vertices);
+        for (const VertexHandle vertex : vertices)
+            look_at(vertex, facets.of(vertex->info().index), restricted, criteria, findings);
+        return findings;
+    }
+    std::vector<FacetId> facets;
+    for (const VertexHandle vertex : vertices)
+    {
+        restricted.odd_facets_around(vertex, facets);
+        look_at(vertex, facets, restricted, criteria, findings);
+    }
+    return findings;
 }
 
 } // namespace voroprobe
