@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "volume/volume.h"
+
+namespace voroprobe
+{
+
+//! What a random volume is like. Each kind is hostile to meshers in its own way.
+enum class VolumeKind
+{
+    kWhiteNoise,
+    kSmoothNoise,
+    kIntegers, //!< samples 0 to 3 and the isovalue among them: samples equal to it
+    kSpecks,   //!< objects of one voxel, some of them touching at corners
+    kCheckerboard,
+    kThinSheets,  //!< one voxel thick, tilted
+    kAnisotropic, //!< smooth noise on voxels of 1 x 1 x 8
+    kThroughBorder
+};
+inline constexpr int kVolumeKindCount = 8;
+
+struct RandomVolume
+{
+    std::string name; //!< kind and seed, for messages
+    std::shared_ptr<const Volume> volume;
+    double isovalue = 0.5;
+};
+
+//! At most 14 samples along each axis. The same for the same arguments.
+RandomVolume make_random_volume(VolumeKind kind, std::uint64_t seed);
+
+} // namespace voroprobe
