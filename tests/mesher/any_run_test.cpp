@@ -3,6 +3,8 @@
 
 #include "mesher/seeded_mesher.h"
 
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "io/float_rounding.h"
@@ -65,17 +67,26 @@ void expect_sound_for_every_reader(const RandomVolume& random)
     }
 }
 
-class AnyRun : public testing::TestWithParam<int>
+class AnyRun : public testing::TestWithParam<VolumeKind>
 {
 };
 
 TEST_P(AnyRun, is_closed_oriented_manifold_and_does_not_cross_itself)
 {
     for (std::uint64_t seed = 1; seed <= 8; ++seed)
-        expect_sound_for_every_reader(make_random_volume(static_cast<VolumeKind>(GetParam()), seed));
+        expect_sound_for_every_reader(make_random_volume(GetParam(), seed));
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryKind, AnyRun, testing::Range(0, kVolumeKindCount));
+std::vector<VolumeKind> every_kind()
+{
+    std::vector<VolumeKind> kinds;
+    for (int kind = 0; kind < kVolumeKindCount; ++kind)
+        kinds.push_back(static_cast<VolumeKind>(kind));
+    return kinds;
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryKind, AnyRun, testing::ValuesIn(every_kind()),
+                         [](const auto& kind) { return name_of(kind.param); });
 
 } // namespace
 } // namespace voroprobe

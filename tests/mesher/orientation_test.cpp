@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -97,7 +98,15 @@ void expect_same(const TriangleMesh& found, const TriangleMesh& expected)
         ASSERT_LT(distance(found.vertices[v], expected.vertices[v]), kSamePlace) << "vertex " << v;
 }
 
-class EveryOrientation : public testing::TestWithParam<std::pair<StoredOrder, Matrix3>>
+struct Orientation
+{
+    StoredOrder order;
+    Matrix3 rotation{};
+
+    friend void PrintTo(const Orientation& orientation, std::ostream* out) { *out << orientation.order.name; }
+};
+
+class EveryOrientation : public testing::TestWithParam<Orientation>
 {
 };
 
@@ -116,19 +125,19 @@ TEST_P(EveryOrientation, gives_the_same_world_mesh)
 
 INSTANTIATE_TEST_SUITE_P(
     Stored, EveryOrientation,
-    testing::Values(
-        std::pair{StoredOrder{"identity", {0, 1, 2}, {false, false, false}}, Matrix3{}},
-        std::pair{StoredOrder{"two_flips", {0, 1, 2}, {true, true, false}}, Matrix3{}},
-        std::pair{StoredOrder{"permuted", {2, 0, 1}, {false, false, false}}, Matrix3{}},
-        std::pair{StoredOrder{"left_handed_flip", {0, 1, 2}, {false, false, true}}, Matrix3{}},
-        std::pair{StoredOrder{"left_handed_swap", {1, 0, 2}, {false, false, false}}, Matrix3{}},
-        std::pair{StoredOrder{"oblique", {0, 1, 2}, {false, false, false}}, rotation_about({1, 0, 0}, 16.5)},
-        std::pair{StoredOrder{"oblique_permuted_flipped", {1, 2, 0}, {true, false, true}},
-                  rotation_about({1, 2, 3}, -20.0)},
-        std::pair{StoredOrder{"region_start", {0, 2, 1}, {true, false, false}, {4, -9, 100}}, Matrix3{}}),
-    [](const auto& stored_case) { return std::string(stored_case.param.first.name); });
+    testing::Values(Orientation{{"identity", {0, 1, 2}, {false, false, false}}},
+                    Orientation{{"two_flips", {0, 1, 2}, {true, true, false}}},
+                    Orientation{{"permuted", {2, 0, 1}, {false, false, false}}},
+                    Orientation{{"left_handed_flip", {0, 1, 2}, {false, false, true}}},
+                    Orientation{{"left_handed_swap", {1, 0, 2}, {false, false, false}}},
+                    Orientation{{"oblique", {0, 1, 2}, {false, false, false}},
+                                rotation_about({1, 0, 0}, 16.5)},
+                    Orientation{{"oblique_permuted_flipped", {1, 2, 0}, {true, false, true}},
+                                rotation_about({1, 2, 3}, -20.0)},
+                    Orientation{{"region_start", {0, 2, 1}, {true, false, false}, {4, -9, 100}}}),
+    [](const auto& stored_case) { return std::string(stored_case.param.order.name); });
 
-TEST(Orientation, the_mesh_stands_where_the_shape_stands_in_the_world)
+TEST(OrientedVolume, the_mesh_stands_where_the_shape_stands_in_the_world)
 {
     const TriangleMesh mesh = world_mesh(stored({"", {2, 0, 1}, {true, false, false}, {3, 5, 7}}, {}));
     const Box3 box = bounding_box(mesh);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <ostream>
 
 #include "support/random.h"
 #include "volume/phantoms.h"
@@ -14,9 +15,9 @@ namespace
 
 using Index = std::array<std::size_t, 3>;
 
-constexpr std::array<const char*, kVolumeKindCount> kNames{"white noise", "smooth noise",  "integers",
-                                                           "specks",      "checkerboard",  "thin sheets",
-                                                           "anisotropic", "through border"};
+constexpr std::array<const char*, kVolumeKindCount> kNames{"white_noise", "smooth_noise",  "integers",
+                                                           "specks",      "checkerboard",  "thin_sheets",
+                                                           "anisotropic", "through_border"};
 
 //! A volume whose samples are given by `value(i, j, k)`, called in order of memory.
 template <class Value>
@@ -110,11 +111,20 @@ std::shared_ptr<Volume> samples_of(VolumeKind kind, Random& random)
 
 } // namespace
 
+std::string name_of(VolumeKind kind)
+{
+    return kNames[static_cast<std::size_t>(kind)];
+}
+
+void PrintTo(VolumeKind kind, std::ostream* out)
+{
+    *out << name_of(kind);
+}
+
 RandomVolume make_random_volume(VolumeKind kind, std::uint64_t seed)
 {
     Random random(seed);
-    const auto at = static_cast<std::size_t>(kind);
-    return {.name = std::string(kNames[at]) + ", seed " + std::to_string(seed),
+    return {.name = name_of(kind) + ", seed " + std::to_string(seed),
             .volume = samples_of(kind, random),
             .isovalue = kind == VolumeKind::kIntegers ? 2.0 : 0.5};
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <iosfwd>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,6 +24,12 @@ enum class VolumeKind
     kThroughBorder
 };
 inline constexpr int kVolumeKindCount = 8;
+
+//! As an identifier: "white_noise".
+std::string name_of(VolumeKind kind);
+
+//! For GoogleTest.
+void PrintTo(VolumeKind kind, std::ostream* out);
 
 struct RandomVolume
 {
