@@ -41,7 +41,7 @@ std::vector<BoundaryFace> collect_faces(const RestrictedDelaunay& restricted)
                 continue;
             // The table of facets has served; from here on both sides of the facet name its face.
             FacetId& here = delaunay_cell->info().facet[static_cast<std::size_t>(i)];
-            const bool on_border = here != kNoFacet && restricted.facet(here).on_border;
+            const bool on_border = here < kUnqueriedFacet && restricted.facet(here).on_border;
             here = static_cast<std::uint32_t>(faces.size());
             outside->info().facet[static_cast<std::size_t>(outside->index(delaunay_cell))] = here;
             faces.push_back({delaunay_cell, i, on_border});
@@ -100,6 +100,44 @@ std::uint32_t corner_number(const std::vector<BoundaryFace>& faces, std::uint32_
     return 0;
 }
 
+//! The partner of each half-edge with an end at a pinched vertex; kUnnumbered for the others, whose edge has
+//! two faces only.
+std::vector<std::uint32_t> pair_half_edges(const RestrictedDelaunay& restricted,
+                                           const std::vector<BoundaryFace>& faces)
+{
+    std::vector<std::uint32_t> partners(3 * faces.size(), kUnnumbered);
+    const EdgePairing pairing(restricted.oracle());
+    for (std::uint32_t half_edge = 0; half_edge < partners.size(); ++half_edge)
+    {
+        if (partners[half_edge] != kUnnumbered)
+            continue; // the partner's partner
+        const BoundaryFace& face = faces[half_edge / 3];
+        const VertexHandle a = corner(face, half_edge % 3);
+        const VertexHandle b = corner(face, next_in_face(half_edge) % 3);
+        if (!a->info().pinched && !b->info().pinched)
+            continue;
+        const std::uint32_t partner =
+            corner_number(faces, pairing.partner_across(face, a, b), b); // runs from b to a
+        partners[half_edge] = partner;
+        partners[partner] = half_edge;
+    }
+    return partners;
+}
+
+//! Corners joined across paired edges.
+UnionFind join_corners(const std::vector<BoundaryFace>& faces, const std::vector<std::uint32_t>& partners)
+{
+    UnionFind corners(3 * faces.size());
+    for (std::uint32_t half_edge = 0; half_edge < partners.size(); ++half_edge)
+    {
+        if (partners[half_edge] == kUnnumbered)
+            continue;
+        corners.unite(next_in_face(half_edge), partners[half_edge]);
+        corners.unite(half_edge, next_in_face(partners[half_edge]));
+    }
+    return corners;
+}
+
 } // namespace
 
 bool joined_at_edge(const SurfaceOracle& oracle, VertexHandle a, VertexHandle b)
@@ -116,40 +154,28 @@ BoundaryComplex collect_boundary(const RestrictedDelaunay& restricted)
 {
     BoundaryComplex complex;
     complex.faces = collect_faces(restricted);
-    const auto& faces = complex.faces;
-    CHECK_LT(faces.size(), std::numeric_limits<std::uint32_t>::max() / 3);
+    CHECK_LT(complex.faces.size(), std::numeric_limits<std::uint32_t>::max() / 3);
+    complex.partner = pair_half_edges(restricted, complex.faces);
+    UnionFind corners = join_corners(complex.faces, complex.partner);
 
-    // Corners joined across edges are one vertex of the mesh.
-    UnionFind corners(3 * faces.size());
-    complex.partner.assign(3 * faces.size(), kUnnumbered);
-    const EdgePairing pairing(restricted.oracle());
-    for (std::uint32_t half_edge = 0; half_edge < 3 * faces.size(); ++half_edge)
-    {
-        if (complex.partner[half_edge] != kUnnumbered)
-            continue; // the partner's partner
-        const std::uint32_t f = half_edge / 3;
-        const VertexHandle a = corner(faces[f], half_edge % 3);
-        const VertexHandle b = corner(faces[f], next_in_face(half_edge) % 3);
-        const std::uint32_t partner = pairing.partner_across(faces[f], a, b);
-        const std::uint32_t corner_b = corner_number(faces, partner, b); // the partner runs from b to a
-        complex.partner[half_edge] = corner_b;
-        complex.partner[corner_b] = half_edge;
-        corners.unite(half_edge, corner_number(faces, partner, a));
-        corners.unite(next_in_face(half_edge), corner_b);
-    }
-
-    std::vector<std::uint32_t> vertex_of_corner(3 * faces.size(), kUnnumbered);
-    for (std::uint32_t f = 0; f < faces.size(); ++f)
+    // One mesh vertex for each vertex with one umbrella, and for each set of corners at a pinched one.
+    std::vector<std::uint32_t> number_of_vertex(restricted.vertex_index_bound(), kUnnumbered);
+    std::vector<std::uint32_t> number_of_corners(3 * complex.faces.size(), kUnnumbered);
+    complex.mesh.faces.reserve(complex.faces.size());
+    complex.origin_of_face.reserve(complex.faces.size());
+    for (std::uint32_t f = 0; f < complex.faces.size(); ++f)
     {
         TriangleMesh::Face face;
         for (std::uint32_t k = 0; k < 3; ++k)
         {
-            std::uint32_t& number = vertex_of_corner[corners.find(3 * f + k)];
+            const VertexHandle vertex = corner(complex.faces[f], k);
+            std::uint32_t& number = vertex->info().pinched ? number_of_corners[corners.find(3 * f + k)]
+                                                           : number_of_vertex[vertex->info().index];
             if (number == kUnnumbered)
             {
                 number = static_cast<std::uint32_t>(complex.mesh.vertices.size());
-                complex.mesh.vertices.push_back(position(corner(faces[f], k)));
-                complex.vertex_of_copy.push_back(corner(faces[f], k));
+                complex.mesh.vertices.push_back(position(vertex));
+                complex.vertex_of_copy.push_back(vertex);
             }
             face[k] = number;
         }

@@ -23,9 +23,8 @@ struct BoundaryFace
 struct BoundaryComplex
 {
     std::vector<BoundaryFace> faces;
-    std::vector<std::uint32_t>
-        partner;       //!< of half-edge 3 f + k of boundary face f: the one it is paired with
-    TriangleMesh mesh; //!< counter-clockwise seen from outside
+    std::vector<std::uint32_t> partner; //!< of half-edge 3 f + k of boundary face f, where an end is pinched
+    TriangleMesh mesh;                  //!< counter-clockwise seen from outside
     std::vector<std::uint32_t> origin_of_face; //!< for each mesh face the boundary face it is (a part of)
     std::vector<VertexHandle>
         vertex_of_copy; //!< for each mesh vertex its Delaunay vertex; null for one inside an edge

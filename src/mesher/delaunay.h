@@ -23,7 +23,7 @@ namespace voroprobe
 using FacetId = std::uint32_t;
 inline constexpr FacetId kNoFacet = std::numeric_limits<FacetId>::max();
 inline constexpr FacetId kUnqueriedFacet =
-    kNoFacet - 1; //!< of a Delaunay cell just made: the oracle was not asked yet
+    kNoFacet - 1; //!< the oracle was not asked yet; facet ids run below
 
 //! How a vertex came into the triangulation.
 enum class VertexOrigin : std::uint8_t

@@ -43,7 +43,7 @@ void Refinement::refine()
     {
         if (const auto bad_facet = bad_facets_.pop(restricted_, statistics_.stale_queue_entries))
             refine_facet(*bad_facet);
-        else if (!find_pinched_vertices())
+        else if (!find_unresolved_facets() && !find_pinched_vertices())
             return;
     }
 }
@@ -62,6 +62,15 @@ void Refinement::refine_facet(FacetId id)
     const Point3 center = facet.center; // the facet is gone once its center is a vertex
     restricted_.insert(center, start, VertexOrigin::kRefinement);
     judge_changed_facets();
+}
+
+// Adds the facets whose two cells lie on one side of the surface although their dual edge meets it; false
+// where there is none.
+bool Refinement::find_unresolved_facets()
+{
+    restricted_.query_even_facets();
+    judge_changed_facets();
+    return !restricted_.changed_facets().empty();
 }
 
 // Adds the facets that break the manifold criterion to the queue; false where there is none.

@@ -40,6 +40,7 @@ private:
     bool may_go_on();
     void judge_changed_facets();
     void refine_facet(FacetId id);
+    bool find_unresolved_facets();
     bool find_pinched_vertices();
 
     RestrictedDelaunay& restricted_;

@@ -128,6 +128,8 @@ private:
         if (!best)
             return false;
         change_side(best->second);
+        for (int i = 0; i < 4; ++i)
+            best->second->vertex(i)->info().pinched = true; // as far as is known
         return true;
     }
 

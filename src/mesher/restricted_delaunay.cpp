@@ -96,7 +96,7 @@ VertexHandle RestrictedDelaunay::insert(const Point3& p, DelaunayCell start, Ver
         for (int i = 0; i < 4; ++i)
         {
             if (delaunay_cell->info().facet[static_cast<std::size_t>(i)] == kUnqueriedFacet)
-                query_dual_edge(delaunay_cell, i, kNoFacet);
+                query_or_postpone(delaunay_cell, i);
         }
     }
     mark_unchecked(vertex);
@@ -110,7 +110,7 @@ void RestrictedDelaunay::forget_zone()
     for (const auto& [delaunay_cell, index] : zone_interior_)
     {
         const FacetId id = delaunay_cell->info().facet[static_cast<std::size_t>(index)];
-        if (id != kNoFacet)
+        if (id < kUnqueriedFacet)
             release_facet(id);
     }
     boundary_.clear();
@@ -119,7 +119,7 @@ void RestrictedDelaunay::forget_zone()
         const ZoneBoundaryFacet boundary{delaunay_cell->neighbor(index),
                                          triangulation_.mirror_index(delaunay_cell, index),
                                          delaunay_cell->info().facet[static_cast<std::size_t>(index)]};
-        if (boundary.facet != kNoFacet)
+        if (boundary.facet < kUnqueriedFacet)
         {
             facets_[boundary.facet].delaunay_cell = boundary.outer;
             facets_[boundary.facet].index = static_cast<std::uint8_t>(boundary.outer_index);
@@ -149,23 +149,60 @@ void RestrictedDelaunay::carry_over(const ZoneBoundaryFacet& boundary, const Poi
     const int inner_index = triangulation_.mirror_index(boundary.outer, boundary.outer_index);
     FacetId& inner_facet = inner->info().facet[static_cast<std::size_t>(inner_index)];
     const bool odd = is_inside(boundary.outer->info().region) != is_inside(inner->info().region);
+    if (boundary.facet == kUnqueriedFacet)
+    {
+        query_or_postpone(boundary.outer, boundary.outer_index);
+        return;
+    }
     if (boundary.facet == kNoFacet && !odd)
     {
         inner_facet = kNoFacet;
         return;
     }
-    if (boundary.facet != kNoFacet && odd)
+    if (boundary.facet != kNoFacet && facets_[boundary.facet].crossing_count == 1)
     {
         const RestrictedFacet& known = facets_[boundary.facet];
         const bool center_stays = squared_distance(known.center, inserted) >= known.squared_radius;
-        if (known.crossing_count == 1 && center_stays)
+        if (odd && center_stays)
         {
             inner_facet = boundary.facet;
             return;
         }
+        if (!odd && !center_stays)
+        {
+            release_facet(boundary.facet);
+            boundary.outer->info().facet[static_cast<std::size_t>(boundary.outer_index)] = kNoFacet;
+            inner_facet = kNoFacet;
+            return;
+        }
     }
-    // A known facet changed, or rounding moved a Voronoi vertex across the surface.
+    // One of several crossings may have gone, or rounding moved a Voronoi vertex across the surface.
     query_dual_edge(boundary.outer, boundary.outer_index, boundary.facet);
+}
+
+void RestrictedDelaunay::query_or_postpone(DelaunayCell delaunay_cell, int index)
+{
+    const DelaunayCell neighbor = delaunay_cell->neighbor(index);
+    if (is_inside(delaunay_cell->info().region) != is_inside(neighbor->info().region))
+        query_dual_edge(delaunay_cell, index, kNoFacet);
+    else if (postponed_cells_.empty() || postponed_cells_.back() != delaunay_cell)
+        postponed_cells_.push_back(delaunay_cell);
+}
+
+void RestrictedDelaunay::query_even_facets()
+{
+    changed_facets_.clear();
+    for (const DelaunayCell delaunay_cell : postponed_cells_)
+    {
+        if (!triangulation_.tds().cells().is_used(delaunay_cell))
+            continue; // gone since; a new cell in its place is as welcome
+        for (int i = 0; i < 4; ++i)
+        {
+            if (delaunay_cell->info().facet[static_cast<std::size_t>(i)] == kUnqueriedFacet)
+                query_dual_edge(delaunay_cell, i, kNoFacet);
+        }
+    }
+    postponed_cells_.clear();
 }
 
 // Asks the oracle where the dual edge of a facet crosses the surface, and keeps the answer on both sides of
@@ -251,7 +288,7 @@ void RestrictedDelaunay::odd_facets_around(VertexHandle vertex, std::vector<Face
         for (int i = 0; i < 4; ++i)
         {
             const FacetId id = delaunay_cell->info().facet[static_cast<std::size_t>(i)];
-            if (id == kNoFacet || delaunay_cell->vertex(i) == vertex)
+            if (id >= kUnqueriedFacet || delaunay_cell->vertex(i) == vertex)
                 continue;
             const RestrictedFacet& facet = facets_[id]; // seen from both of its cells, taken from one
             if (facet.odd() && facet.delaunay_cell == delaunay_cell && facet.index == i)

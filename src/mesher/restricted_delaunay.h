@@ -54,6 +54,11 @@ public:
     //! Whether no vertex is closer to p than `least_separation`. Located from `hint`.
     [[nodiscard]] bool is_apart(const Point3& p, double least_separation, VertexHandle hint) const;
 
+    //! Asks the oracle about the dual edges that insertions have left aside: those whose ends lie on one side
+    //! of the surface. Their facets cannot be in the mesh, and while it is coarse most of them vanish
+    //! unasked. The facets found are in changed_facets(). Cost: O(Delaunay cells made since the last call).
+    void query_even_facets();
+
     //! The facets that the last insertion created or changed.
     [[nodiscard]] const std::vector<FacetId>& changed_facets() const { return changed_facets_; }
 
@@ -77,6 +82,9 @@ public:
     RestrictedFacet& facet(FacetId id) { return facets_[id]; }
     [[nodiscard]] std::array<Point3, 3> corners(const RestrictedFacet& facet) const;
 
+    //! VertexData::index runs below this.
+    [[nodiscard]] std::size_t vertex_index_bound() const { return triangulation_.number_of_vertices(); }
+
     [[nodiscard]] const Triangulation& triangulation() const { return triangulation_; }
     [[nodiscard]] const SurfaceOracle& oracle() const { return oracle_; }
     [[nodiscard]] std::size_t vertex_count() const
@@ -98,6 +106,7 @@ private:
     void insert_sentinels();
     void forget_zone();
     void set_dual_vertex(DelaunayCell delaunay_cell);
+    void query_or_postpone(DelaunayCell delaunay_cell, int index);
     void carry_over(const ZoneBoundaryFacet& boundary, const Point3& inserted);
     void query_dual_edge(DelaunayCell delaunay_cell, int index, FacetId reuse);
     void mark_unchecked(const RestrictedFacet& facet);
@@ -112,6 +121,7 @@ private:
     std::vector<FacetId> free_facets_;
     std::vector<FacetId> changed_facets_;
     std::vector<VertexHandle> unchecked_vertices_;
+    std::vector<DelaunayCell> postponed_cells_; //!< with facets not asked about; some are gone since
 
     // Scratch of one insertion, kept to avoid allocation.
     std::vector<DelaunayCell> zone_cells_;

@@ -12,7 +12,7 @@ namespace
 
 // From this share of the vertices on, one pass over all facets is quicker than the Delaunay cells around each
 // vertex.
-constexpr std::size_t kVerticesPerCheckedForOnePass = 32;
+constexpr std::size_t kVerticesPerCheckedForOnePass = 64;
 
 using LinkEdge = std::pair<std::uint32_t, std::uint32_t>;
 
