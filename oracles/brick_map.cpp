@@ -48,7 +48,7 @@ BrickMap::BrickMap(const std::array<std::size_t, 3>& sample_count, const SliceSi
     }
     row_stride_ = static_cast<std::size_t>(brick_count_[0]);
     slice_stride_ = row_stride_ * static_cast<std::size_t>(brick_count_[1]);
-    masks_.resize(slice_stride_ * static_cast<std::size_t>(brick_count_[2]));
+    bricks_.resize(slice_stride_ * static_cast<std::size_t>(brick_count_[2]));
     mark_mixed(sample_count, sides_of_slice);
     compute_distances();
 }
@@ -69,10 +69,12 @@ void BrickMap::mark_mixed(const std::array<std::size_t, 3>& sample_count, const 
             for (std::size_t i = 0; i + 1 < nx; ++i)
             {
                 const std::size_t at = i + j * nx;
-                const std::uint64_t mixed = (below.any_inside[at] | above.any_inside[at]) &
-                                            (below.any_outside[at] | above.any_outside[at]);
+                const std::uint64_t any_inside = below.any_inside[at] | above.any_inside[at];
+                const std::uint64_t any_outside = below.any_outside[at] | above.any_outside[at];
                 const GridCell cell{static_cast<int>(i), static_cast<int>(j), static_cast<int>(k)};
-                masks_[brick_of(cell)] |= mixed << bit_of(cell);
+                Brick& brick = bricks_[brick_of(cell)];
+                brick.mixed |= (any_inside & any_outside) << bit_of(cell);
+                brick.inside |= any_inside << bit_of(cell);
             }
         std::swap(below, above);
     }
@@ -82,9 +84,9 @@ void BrickMap::mark_mixed(const std::array<std::size_t, 3>& sample_count, const 
 // distance. Source: Rosenfeld & Pfaltz 1968.
 void BrickMap::compute_distances()
 {
-    distances_.resize(masks_.size());
-    for (std::size_t b = 0; b < masks_.size(); ++b)
-        distances_[b] = masks_[b] != 0 ? 0 : kFarthest;
+    distances_.resize(bricks_.size());
+    for (std::size_t b = 0; b < bricks_.size(); ++b)
+        distances_[b] = bricks_[b].mixed != 0 ? 0 : kFarthest;
 
     const auto [nx, ny, nz] = brick_count_;
     for (int z = 0; z < nz; ++z)
@@ -128,7 +130,7 @@ bool BrickMap::any_mixed(const GridCellBox& box) const
         for (int y = box.min[1]; y <= box.max[1]; y = (y | (kSide - 1)) + 1)
             for (int x = box.min[0]; x <= box.max[0]; x = (x | (kSide - 1)) + 1)
             {
-                const std::uint64_t mask = masks_[brick_of({x, y, z})];
+                const std::uint64_t mask = bricks_[brick_of({x, y, z})].mixed;
                 if (mask == 0)
                     continue;
                 for (int k = z; k <= std::min(z | (kSide - 1), box.max[2]); ++k)

@@ -11,8 +11,8 @@ namespace voroprobe
 {
 
 //! Which grid cells of a volume hold surface, in bricks of 4x4x4 grid cells that know how far the nearest
-//! such brick is. A grid cell is *mixed* where its corners do not all lie on one side. Memory: 9 bytes per
-//! brick, 1.1 bits per sample.
+//! such brick is. A grid cell is *mixed* where its corners do not all lie on one side. Memory: 17 bytes per
+//! brick, 2.1 bits per sample.
 class BrickMap
 {
 public:
@@ -24,7 +24,13 @@ public:
 
     [[nodiscard]] bool is_mixed(const GridCell& cell) const
     {
-        return (masks_[brick_of(cell)] >> bit_of(cell) & 1U) != 0;
+        return (bricks_[brick_of(cell)].mixed >> bit_of(cell) & 1U) != 0;
+    }
+
+    //! The side of a grid cell all of whose corners lie on it. \pre It is not mixed.
+    [[nodiscard]] bool is_inside(const GridCell& cell) const
+    {
+        return (bricks_[brick_of(cell)].inside >> bit_of(cell) & 1U) != 0;
     }
 
     //! Distance from the brick of the grid cell to the nearest with a mixed grid cell: 0 for such a brick, 1
@@ -50,12 +56,19 @@ public:
 
     [[nodiscard]] std::size_t memory_bytes() const
     {
-        return masks_.size() * sizeof(masks_[0]) + distances_.size();
+        return bricks_.size() * sizeof(Brick) + distances_.size();
     }
 
 private:
     static constexpr int kLog2Side = 2;
     static constexpr int kSide = 1 << kLog2Side; //!< grid cells: their 4^3 bits fill one word
+
+    //! Bit x + 4 y + 16 z speaks of the brick's grid cell (x, y, z). One fetch serves both questions.
+    struct Brick
+    {
+        std::uint64_t mixed = 0;
+        std::uint64_t inside = 0; //!< some corner is inside
+    };
 
     [[nodiscard]] std::size_t brick_of(const GridCell& cell) const
     {
@@ -83,7 +96,7 @@ private:
     std::array<int, 3> brick_count_{};
     std::size_t row_stride_ = 0;
     std::size_t slice_stride_ = 0;
-    std::vector<std::uint64_t> masks_; //!< bit x + 4 y + 16 z of a brick: its grid cell (x, y, z) is mixed
+    std::vector<Brick> bricks_;
     std::vector<std::uint8_t> distances_;
 };
 

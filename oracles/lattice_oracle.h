@@ -31,7 +31,7 @@ concept LatticeReader = requires(R reader, const GridCell& cell, const GridCellB
     {
         reader.corners(cell)
         } -> std::same_as<CellCorners>;
-    //! The side of its lowest corner.
+    //! The side of its lowest corner. Asked only of grid cells that are not mixed.
     {
         reader.is_first_corner_inside(cell)
         } -> std::same_as<bool>;

@@ -49,10 +49,7 @@ public:
                 value(high), value(high + 1), value(high + row_stride_), value(high + row_stride_ + 1)};
     }
 
-    [[nodiscard]] bool is_first_corner_inside(const GridCell& cell) const
-    {
-        return value(first_corner(cell)) >= 0.0;
-    }
+    [[nodiscard]] bool is_first_corner_inside(const GridCell& cell) const { return bricks_.is_inside(cell); }
 
     [[nodiscard]] bool is_mixed(const GridCell& cell) const { return bricks_.is_mixed(cell); }
 
