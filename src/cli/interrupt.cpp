@@ -54,6 +54,7 @@ void install_interrupt_handlers()
     handle(SIGINT, handle_interrupt);
     handle(SIGTERM, handle_interrupt);
     handle(SIGALRM, leave);
+    handle(SIGXFSZ, SIG_IGN); // a limit on the size of files is a write that fails, as on a full disk
 }
 
 void set_on_interrupt(OnInterrupt what)

@@ -11,7 +11,8 @@ enum class OnInterrupt
     kFinish      //!< take note: while writing, which is soon over and must not be cut in two
 };
 
-//! Catches SIGINT and SIGTERM for the rest of the program; to be called once, from main.
+//! Catches SIGINT and SIGTERM for the rest of the program, and makes writes beyond a limit on file sizes fail
+//! rather than kill; to be called once, from main.
 void install_interrupt_handlers();
 
 void set_on_interrupt(OnInterrupt what);

@@ -125,6 +125,19 @@ TEST_F(ExitStatusTest, out_of_memory_is_6)
     expect_refusal(run({"mesh", folder_ / "big.mhd", "-o", folder_ / "out.stl"}, limits), 6, "out of memory");
 }
 
+TEST_F(ExitStatusTest, a_disk_that_fills_up_is_1_and_leaves_nothing_behind)
+{
+    const program::Limits limits{.file_size = 1000}; // the mesh has more
+    for (const std::string name : {"old.stl", "old.ply", "old.obj", "old.off", "old.vtp"})
+    {
+        program::write_text(folder_ / name, "precious");
+        expect_refusal(run(mesh_ball(name), limits), 1, name);
+        EXPECT_EQ(program::read_text(folder_ / name), "precious");
+        std::filesystem::remove(folder_ / name);
+    }
+    EXPECT_EQ(folder_.names(), (std::vector<std::string>{"ball.mha"}));
+}
+
 TEST_F(ExitStatusTest, a_signal_while_reading_is_130)
 {
     write_sparse_volume(folder_ / "zeros.mhd", 600);

@@ -35,16 +35,21 @@ void redirect(int descriptor, const fs::path& path)
     close(file);
 }
 
+template <typename Resource>
+void limit(Resource resource, std::size_t most)
+{
+    const rlimit allowed{most, most};
+    if (most > 0 && setrlimit(resource, &allowed) != 0)
+        _exit(126);
+}
+
 [[noreturn]] void become_program(std::vector<std::string> arguments, const Limits& limits,
                                  const fs::path& out, const fs::path& err)
 {
     redirect(STDOUT_FILENO, out);
     redirect(STDERR_FILENO, err);
-    if (limits.address_space > 0)
-    {
-        const rlimit limit{limits.address_space, limits.address_space};
-        setrlimit(RLIMIT_AS, &limit);
-    }
+    limit(RLIMIT_AS, limits.address_space);
+    limit(RLIMIT_FSIZE, limits.file_size);
     arguments.insert(arguments.begin(), VOROPROBE_EXECUTABLE);
     std::vector<char*> argv;
     argv.reserve(arguments.size() + 1);

@@ -16,10 +16,11 @@ struct Outcome
     std::string err; //!< and to standard error
 };
 
-//! A limit on the address space of the program, bytes; 0: none.
+//! What the system allows the program, bytes; 0: no limit.
 struct Limits
 {
     std::size_t address_space = 0;
+    std::size_t file_size = 0; //!< of each file it writes, its standard output and error too
 };
 
 //! Runs it to its end.

@@ -30,6 +30,7 @@ TEST_F(UsageTest, commands_and_their_arguments_are_required)
     expect_wrong_usage({"mesh"}, {"INPUT"});
     expect_wrong_usage({"mesh", folder_ / "ball.mha"}, {"--output"});
     expect_wrong_usage({"info"}, {"INPUT"});
+    expect_wrong_usage({"mesh", "", "-o", folder_ / "out.stl"}, {"INPUT", "''", "file or a folder"});
 }
 
 TEST_F(UsageTest, unknown_and_repeated_options_are_refused)
@@ -77,6 +78,8 @@ TEST_F(UsageTest, options_that_do_not_go_with_the_file_are_refused)
     expect_wrong_usage({"mesh", folder_ / "any.vdb", "-o", folder_ / "out.stl", "--frame", "1"},
                        {"--frame", ".vdb"});
     expect_wrong_usage({"info", folder_ / "any.vdb", "--spacing", "1,1,1"}, {"--spacing", ".vdb"});
+    expect_wrong_usage(mesh_ball("out.stl", {"--series", "1.2"}),
+                       {"--series", "'1.2'", "folder of DICOM files"});
 }
 
 TEST_F(UsageTest, one_file_cannot_be_input_and_output)
