@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "geometry/box3.h"
@@ -19,36 +21,58 @@ constexpr int kHalvings = 6;          // of a move whose faces cross others, bef
 constexpr int kDirectionSteps = 200;  // of the search for a direction behind all faces of an umbrella
 constexpr double kLeastMargin = 0.02; // sine of the least angle between a move and the faces it leaves
 
-//! Mesh faces by the Delaunay vertices of the boundary faces they are pieces of.
+//! Mesh faces by the Delaunay vertices of the boundary faces they are pieces of: those of the vertex with
+//! index v are numbers begin[v] to begin[v + 1] of one array.
 class FacesAroundVertices
 {
 public:
     explicit FacesAroundVertices(const BoundaryComplex& complex)
     {
-        std::uint32_t last = 0;
-        for (const BoundaryFace& face : complex.faces)
+        const auto for_each_corner = [&](auto&& visit)
         {
-            for (std::size_t k = 0; k < 3; ++k)
-                last = std::max(last, corner(face, k)->info().index);
-        }
-        faces_.resize(last + 1);
-        for (std::uint32_t m = 0; m < complex.mesh.faces.size(); ++m)
-        {
-            for (std::size_t k = 0; k < 3; ++k)
-                faces_[corner(complex.faces[complex.origin_of_face[m]], k)->info().index].push_back(m);
-        }
+            for (std::uint32_t m = 0; m < complex.mesh.faces.size(); ++m)
+            {
+                const BoundaryFace& face = complex.faces[complex.origin_of_face[m]];
+                for (std::size_t k = 0; k < 3; ++k)
+                    visit(corner(face, k)->info().index, m);
+            }
+        };
+        std::uint32_t bound = 0;
+        for_each_corner([&](std::uint32_t vertex, std::uint32_t) { bound = std::max(bound, vertex + 1); });
+        begin_.assign(bound + 1, 0);
+        for_each_corner([&](std::uint32_t vertex, std::uint32_t) { ++begin_[vertex + 1]; });
+        std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+        faces_.resize(begin_.back());
+        std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+        for_each_corner([&](std::uint32_t vertex, std::uint32_t m) { faces_[next[vertex]++] = m; });
     }
 
-    [[nodiscard]] const std::vector<std::uint32_t>& of(VertexHandle vertex) const
+    [[nodiscard]] std::span<const std::uint32_t> of(VertexHandle vertex) const
     {
-        static const std::vector<std::uint32_t> kNone;
-        const std::uint32_t index = vertex->info().index;
-        return index < faces_.size() ? faces_[index] : kNone;
+        const std::size_t index = vertex->info().index;
+        if (index + 1 >= begin_.size())
+            return {};
+        return {faces_.data() + begin_[index], faces_.data() + begin_[index + 1]};
     }
 
 private:
-    std::vector<std::vector<std::uint32_t>> faces_;
+    std::vector<std::uint32_t> begin_;
+    std::vector<std::uint32_t> faces_;
 };
+
+Box3 bounds_of(const TriangleMesh& mesh, const TriangleMesh::Face& face)
+{
+    Box3 box;
+    for (std::size_t k = 0; k < 3; ++k)
+        box.include(mesh.corner(face, k));
+    return box;
+}
+
+bool boxes_meet(const Box3& a, const Box3& b)
+{
+    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y &&
+           a.min.z <= b.max.z && b.min.z <= a.max.z;
+}
 
 Vec3 unit_normal(const TriangleMesh& mesh, const TriangleMesh::Face& face)
 {
@@ -197,9 +221,11 @@ private:
             const TriangleMesh::Face& moved = mesh_.faces[m];
             if (std::find(moved.begin(), moved.end(), move.vertex) == moved.end())
                 continue;
+            const Box3 moved_box = bounds_of(mesh_, moved);
             for (const std::uint32_t other : nearby)
             {
-                if (other != m && faces_cross(mesh_, moved, mesh_.faces[other]))
+                if (other != m && boxes_meet(moved_box, bounds_of(mesh_, mesh_.faces[other])) &&
+                    faces_cross(mesh_, moved, mesh_.faces[other]))
                     return true;
             }
         }

@@ -90,23 +90,35 @@ public:
     }
 
 private:
-    std::size_t sweep(const std::vector<VertexHandle>& pinched, bool either_side)
+    //! Mends the given vertices, then those at the cells changed, and so on. Returns the number of cells
+    //! changed.
+    std::size_t sweep(std::vector<VertexHandle> vertices, bool either_side)
     {
         std::size_t changed = 0;
-        for (int sweep = 0; sweep < kSweeps; ++sweep)
+        for (int sweep = 0; sweep < kSweeps && !vertices.empty(); ++sweep)
         {
-            std::size_t changed_now = 0;
-            for (const VertexHandle vertex : pinched)
-                changed_now += mend(vertex, either_side) ? 1 : 0;
-            changed += changed_now;
-            if (changed_now == 0)
-                break;
+            std::vector<VertexHandle> touched;
+            for (const VertexHandle vertex : vertices)
+            {
+                const DelaunayCell delaunay_cell = mend(vertex, either_side);
+                if (delaunay_cell == DelaunayCell())
+                    continue;
+                ++changed;
+                for (int i = 0; i < 4; ++i)
+                    touched.push_back(delaunay_cell->vertex(i));
+            }
+            const auto by_index = [](VertexHandle a, VertexHandle b)
+            { return a->info().index < b->info().index; };
+            std::sort(touched.begin(), touched.end(), by_index);
+            touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+            vertices = std::move(touched);
         }
         return changed;
     }
 
-    //! Changes the side of the cell at the vertex that gains most; false where none gains.
-    bool mend(VertexHandle vertex, bool either_side)
+    //! Changes the side of the cell at the vertex that gains most, and returns it; a null handle where none
+    //! gains.
+    DelaunayCell mend(VertexHandle vertex, bool either_side)
     {
         const Link link = link_of(vertex);
         std::optional<std::pair<int, DelaunayCell>> best;
@@ -126,17 +138,19 @@ private:
             }
         }
         if (!best)
-            return false;
+            return {};
         change_side(best->second);
         for (int i = 0; i < 4; ++i)
             best->second->vertex(i)->info().pinched = true; // as far as is known
-        return true;
+        return best->second;
     }
 
+    //! Two odd facets change places with the other two, three with one; one would make way for three.
     [[nodiscard]] bool may_change(DelaunayCell delaunay_cell) const
     {
         const int odd_count = count_odd_facets(delaunay_cell);
-        return odd_count > 0 && odd_count < 4 && least_altitude(corner_positions(delaunay_cell)) <= floor_;
+        return (odd_count == 2 || odd_count == 3) &&
+               least_altitude(corner_positions(delaunay_cell)) <= floor_;
     }
 
     int gain_of_change(DelaunayCell delaunay_cell)
