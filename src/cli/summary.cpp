@@ -104,7 +104,7 @@ Json work_json(const MeshingStatistics& statistics)
             {"facets_at_floor", statistics.facets_at_floor},
             {"cells_relabelled", statistics.cells_relabelled},
             {"contacts_separated", statistics.contacts_separated},
-            {"contacts_unseparated", statistics.contacts_unseparated}};
+            {"contacts_carved", statistics.contacts_carved}};
 }
 
 } // namespace

@@ -39,12 +39,11 @@ std::vector<BoundaryFace> collect_faces(const RestrictedDelaunay& restricted)
             const DelaunayCell outside = delaunay_cell->neighbor(i);
             if (inside(outside))
                 continue;
-            // The table of facets has served; from here on both sides of the facet name its face.
-            FacetId& here = delaunay_cell->info().facet[static_cast<std::size_t>(i)];
-            const bool on_border = here < kUnqueriedFacet && restricted.facet(here).on_border;
-            here = static_cast<std::uint32_t>(faces.size());
-            outside->info().facet[static_cast<std::size_t>(outside->index(delaunay_cell))] = here;
-            faces.push_back({delaunay_cell, i, on_border});
+            // The table of facets has served: from here on both sides of the facet name its face.
+            const auto face = static_cast<std::uint32_t>(faces.size());
+            delaunay_cell->info().facet[static_cast<std::size_t>(i)] = face;
+            outside->info().facet[static_cast<std::size_t>(outside->index(delaunay_cell))] = face;
+            faces.push_back({delaunay_cell, i});
         }
     }
     return faces;

@@ -14,8 +14,7 @@ namespace voroprobe
 struct BoundaryFace
 {
     DelaunayCell inside;
-    int index;      //!< the facet is opposite this vertex of `inside`
-    bool on_border; //!< lies on a cap at the domain's border
+    int index; //!< the facet is opposite this vertex of `inside`
 };
 
 //! The odd facets as a combinatorial 2-manifold: vertices of the triangulation around which they form several

@@ -9,7 +9,7 @@ namespace voroprobe
 
 //! Center of the sphere through four points that are not coplanar. Rounded arithmetic for well-shaped
 //! tetrahedra, exact arithmetic for slivers, whose rounded circumcenter would be anywhere. Relative error
-//! about 1e-9 of the radius.
+//! below 1e-8 of the radius.
 Point3 circumcenter(const std::array<Point3, 4>& corners);
 
 } // namespace voroprobe

@@ -143,7 +143,8 @@ public:
             else
                 ++staying;
         }
-        report_.unseparated += staying > 1 ? staying - 1 : 0;
+        if (staying > 1)
+            report_.unseparated.push_back(vertex);
     }
 
     ContactReport run()
@@ -165,7 +166,8 @@ public:
             }
             crossing = std::move(still_crossing);
         }
-        report_.unseparated += crossing.size();
+        for (const Displacement* move : crossing)
+            report_.unseparated.push_back(move->near);
         report_.separated = moves_.size() - crossing.size();
         return report_;
     }

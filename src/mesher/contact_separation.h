@@ -13,8 +13,9 @@ namespace voroprobe
 struct ContactReport
 {
     std::size_t separated = 0; //!< copies of vertices moved to their own side
-    std::size_t unseparated =
-        0; //!< copies left where another stands, for want of a side where they would not cross a face
+
+    //! Vertices where copies still stand at one place, for want of a side where they would not cross a face.
+    std::vector<VertexHandle> unseparated;
 };
 
 //! Moves the copies of a vertex apart by a hair, each to its own side, and `pinched`, the middle vertices of

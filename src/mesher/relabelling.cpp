@@ -86,10 +86,34 @@ public:
             if (vertex->info().pinched && vertex->info().origin != VertexOrigin::kSentinel)
                 pinched.push_back(vertex);
         }
-        return sweep(pinched, false) + sweep(pinched, true);
+        return dissolve_crumbs(pinched) + sweep(pinched, false) + sweep(pinched, true);
     }
 
 private:
+    //! Single cells, thinner than the floor, that are a piece (or a hole) by themselves and touch the rest at
+    //! each corner.
+    std::size_t dissolve_crumbs(const std::vector<VertexHandle>& pinched)
+    {
+        std::size_t changed = 0;
+        for (const VertexHandle vertex : pinched)
+        {
+            for (const DelaunayCell delaunay_cell : std::vector<DelaunayCell>(cells_around(vertex)))
+            {
+                if (count_odd_facets(delaunay_cell) != 4 ||
+                    least_altitude(corner_positions(delaunay_cell)) > floor_)
+                    continue;
+                bool touches_everywhere = true;
+                for (int i = 0; i < 4 && touches_everywhere; ++i)
+                    touches_everywhere = link_of(delaunay_cell->vertex(i)).nodes.size() > 3;
+                if (!touches_everywhere)
+                    continue;
+                change_side(delaunay_cell);
+                ++changed;
+            }
+        }
+        return changed;
+    }
+
     //! Mends the given vertices, then those at the cells changed, and so on. Returns the number of cells
     //! changed.
     std::size_t sweep(std::vector<VertexHandle> vertices, bool either_side)

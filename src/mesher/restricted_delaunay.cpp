@@ -71,9 +71,8 @@ VertexHandle RestrictedDelaunay::insert(const Point3& p, DelaunayCell start, Ver
     changed_facets_.clear();
     zone_cells_.clear();
     zone_boundary_.clear();
-    zone_interior_.clear();
     triangulation_.find_conflicts(cgal_point(p), start, std::back_inserter(zone_boundary_),
-                                  std::back_inserter(zone_cells_), std::back_inserter(zone_interior_));
+                                  std::back_inserter(zone_cells_));
     forget_zone();
     const auto& [begin_cell, begin_index] = zone_boundary_.front();
     const VertexHandle vertex = triangulation_.insert_in_hole(cgal_point(p), zone_cells_.begin(),
@@ -107,24 +106,27 @@ VertexHandle RestrictedDelaunay::insert(const Point3& p, DelaunayCell start, Ver
 // outer side.
 void RestrictedDelaunay::forget_zone()
 {
-    for (const auto& [delaunay_cell, index] : zone_interior_)
-    {
-        const FacetId id = delaunay_cell->info().facet[static_cast<std::size_t>(index)];
-        if (id < kUnqueriedFacet)
-            release_facet(id);
-    }
     boundary_.clear();
     for (const auto& [delaunay_cell, index] : zone_boundary_)
     {
+        FacetId& slot = delaunay_cell->info().facet[static_cast<std::size_t>(index)];
         const ZoneBoundaryFacet boundary{delaunay_cell->neighbor(index),
-                                         triangulation_.mirror_index(delaunay_cell, index),
-                                         delaunay_cell->info().facet[static_cast<std::size_t>(index)]};
+                                         triangulation_.mirror_index(delaunay_cell, index), slot};
+        slot = kNoFacet; // what stays in the slots lies inside the zone
         if (boundary.facet < kUnqueriedFacet)
         {
             facets_[boundary.facet].delaunay_cell = boundary.outer;
             facets_[boundary.facet].index = static_cast<std::uint8_t>(boundary.outer_index);
         }
         boundary_.push_back(boundary);
+    }
+    for (const DelaunayCell delaunay_cell : zone_cells_)
+    {
+        for (const FacetId id : delaunay_cell->info().facet)
+        {
+            if (id < kUnqueriedFacet && facets_[id].crossing_count != 0) // met from its other cell already?
+                release_facet(id);
+        }
     }
 }
 
@@ -243,7 +245,6 @@ void RestrictedDelaunay::query_dual_edge(DelaunayCell delaunay_cell, int index, 
         {
             facet.squared_radius = squared_radius;
             facet.center = crossing.point;
-            facet.on_border = crossing.on_border;
         }
     }
     mark_unchecked(facet);

@@ -18,9 +18,8 @@ struct RestrictedFacet
     DelaunayCell delaunay_cell{}; //!< the facet is the one opposite ...
     std::uint8_t index = 0;       //!< ... this vertex of the Delaunay cell
     std::uint8_t crossing_count =
-        0; //!< crossings of the dual edge, capped at 255 with the parity kept; 0: slot is free
-    bool on_border = false; //!< the crossing lies on a cap that closes the object at the domain's border
-    bool kept = false;      //!< breaks a criterion but is as small as the floor
+        0;             //!< crossings of the dual edge, capped at 255 with the parity kept; 0: slot is free
+    bool kept = false; //!< breaks a criterion but is as small as the floor
     std::array<std::uint32_t, 3> vertices{}; //!< indices of the corners
     std::uint32_t generation = 0;            //!< changes whenever the slot is reused or the facet recomputed
 
@@ -126,7 +125,6 @@ private:
     // Scratch of one insertion, kept to avoid allocation.
     std::vector<DelaunayCell> zone_cells_;
     std::vector<Triangulation::Facet> zone_boundary_;
-    std::vector<Triangulation::Facet> zone_interior_;
     std::vector<ZoneBoundaryFacet> boundary_;
     std::vector<Crossing> crossings_;
     std::vector<DelaunayCell> star_;

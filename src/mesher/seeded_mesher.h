@@ -38,9 +38,10 @@ struct MeshingStatistics
         0; //!< facets that break a criterion, kept because they are as small as the floor
     std::size_t cells_relabelled =
         0; //!< slivers moved to the other side of the surface to mend a pinched edge
-    std::size_t contacts_separated = 0;   //!< vertices moved by a hair where the surface touched itself
-    std::size_t contacts_unseparated = 0; //!< vertices that still stand at one place with another
-    double seconds_refinement = 0.0;      //!< wall clock, refinement and seeding together
+    std::size_t contacts_separated = 0; //!< vertices moved by a hair where the surface touched itself
+    std::size_t contacts_carved =
+        0; //!< contacts that could not be taken apart: the inside around them was given up
+    double seconds_refinement = 0.0; //!< wall clock, refinement and seeding together
 };
 
 struct MeshingResult

@@ -52,7 +52,7 @@ void expect_sound_for_every_reader(const RandomVolume& random)
                                                         .reach_lower_bound = 0.5 * voxel});
     ASSERT_EQ(result.status, MeshingStatus::kDone);
     ASSERT_FALSE(result.mesh.faces.empty());
-    EXPECT_EQ(result.statistics.contacts_unseparated, 0U);
+    EXPECT_EQ(result.statistics.contacts_carved, 0U);
     {
         SCOPED_TRACE("welded");
         expect_sound(weld(result.mesh));

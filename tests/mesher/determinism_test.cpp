@@ -81,7 +81,7 @@ TEST(Statistics, add_up)
     EXPECT_GT(s.queries_refinement, s.insertions);
     EXPECT_GT(s.region_lookups, s.insertions);
     EXPECT_GE(s.insertions, result.mesh.vertices.size());
-    EXPECT_EQ(s.contacts_unseparated, 0U);
+    EXPECT_EQ(s.contacts_carved, 0U);
     EXPECT_GT(s.seconds_refinement, 0.0);
 }
 
