@@ -100,8 +100,11 @@ TEST_F(UsageTest, a_label_map_needs_an_isovalue)
     write_phantom(labels, folder_ / "labels.mha");
     expect_wrong_usage({"mesh", folder_ / "labels.mha", "-o", folder_ / "out.stl"},
                        {"label map", "--isovalue", "0.5"});
-    EXPECT_EQ(run({"mesh", folder_ / "labels.mha", "-o", folder_ / "out.stl", "--isovalue", "0.5"}).status,
-              0);
+    const Outcome given =
+        run({"mesh", folder_ / "labels.mha", "-o", folder_ / "out.stl", "--isovalue", "0.5"});
+    EXPECT_EQ(given.status, 0);
+    EXPECT_NE(given.err.find("voroprobe: warning: this looks like a label map"), std::string::npos)
+        << given.err;
 }
 
 TEST_F(UsageTest, help_and_version_go_to_stdout_and_are_no_failure)
