@@ -10,10 +10,6 @@ namespace voroprobe
 namespace
 {
 
-// The corners of the facet opposite each vertex of a positively oriented tetrahedron, counter-clockwise seen
-// from outside it.
-constexpr int kOutwardCorners[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-
 constexpr auto kUnnumbered = std::numeric_limits<std::uint32_t>::max();
 
 //! The half-edge, or corner, that follows in the same face.
@@ -142,11 +138,6 @@ UnionFind join_corners(const std::vector<BoundaryFace>& faces, const std::vector
 bool joined_at_edge(const SurfaceOracle& oracle, VertexHandle a, VertexHandle b)
 {
     return is_inside(oracle.region(0.5 * (position(a) + position(b))));
-}
-
-VertexHandle corner(const BoundaryFace& face, std::size_t k)
-{
-    return face.inside->vertex(kOutwardCorners[face.index][k]);
 }
 
 BoundaryComplex collect_boundary(const RestrictedDelaunay& restricted)

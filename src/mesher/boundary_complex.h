@@ -18,27 +18,36 @@ struct BoundaryFace
 };
 
 //! The odd facets as a combinatorial 2-manifold: vertices of the triangulation around which they form several
-//! umbrellas, as seen from the inside, have one copy for each. Copies start at the same place.
+//! umbrellas have one copy for each. Copies start at the same place.
 struct BoundaryComplex
 {
     std::vector<BoundaryFace> faces;
-    std::vector<std::uint32_t> partner; //!< of half-edge 3 f + k of boundary face f, where an end is pinched
-    TriangleMesh mesh;                  //!< counter-clockwise seen from outside
+
+    //! Of half-edge 3 f + k of boundary face f, where an end is pinched: the half-edge it is paired with.
+    std::vector<std::uint32_t> partner;
+
+    TriangleMesh mesh;                         //!< counter-clockwise seen from outside
     std::vector<std::uint32_t> origin_of_face; //!< for each mesh face the boundary face it is (a part of)
-    std::vector<VertexHandle>
-        vertex_of_copy; //!< for each mesh vertex its Delaunay vertex; null for one inside an edge
+    std::vector<VertexHandle> vertex_of_copy;  //!< for each mesh vertex its own; null for one inside an edge
 };
 
 //! Whether the inside parts that meet at a pinched edge are one there: its middle lies inside. Otherwise the
 //! outside parts are.
 bool joined_at_edge(const SurfaceOracle& oracle, VertexHandle a, VertexHandle b);
 
+//! The corners of the facet opposite each vertex of a positively oriented tetrahedron, counter-clockwise seen
+//! from outside it.
+inline constexpr int kOutwardCorners[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+
 //! Corner k of a boundary face, counter-clockwise seen from outside; half-edge k runs from corner k to corner
 //! k + 1.
-VertexHandle corner(const BoundaryFace& face, std::size_t k);
+inline VertexHandle corner(const BoundaryFace& face, std::size_t k)
+{
+    return face.inside->vertex(kOutwardCorners[face.index][k]);
+}
 
-//! Collects the odd facets and pairs them across each edge through the inside cells between them, which takes
-//! inside parts that touch at an edge or a vertex apart. Cost: O(Delaunay cells).
+//! Collects the odd facets and pairs them across each edge. Where more than two share an edge the oracle
+//! decides which belong together (joined_at_edge). Needs VertexData::pinched. Cost: O(Delaunay cells).
 BoundaryComplex collect_boundary(const RestrictedDelaunay& restricted);
 
 } // namespace voroprobe

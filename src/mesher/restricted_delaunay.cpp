@@ -92,11 +92,14 @@ VertexHandle RestrictedDelaunay::insert(const Point3& p, DelaunayCell start, Ver
         carry_over(boundary, p);
     for (const DelaunayCell delaunay_cell : star_)
     {
+        const auto& facets = delaunay_cell->info().facet;
         for (int i = 0; i < 4; ++i)
         {
-            if (delaunay_cell->info().facet[static_cast<std::size_t>(i)] == kUnqueriedFacet)
+            if (facets[static_cast<std::size_t>(i)] == kUnqueriedFacet)
                 query_or_postpone(delaunay_cell, i);
         }
+        if (std::find(facets.begin(), facets.end(), kUnqueriedFacet) != facets.end())
+            postponed_cells_.push_back(delaunay_cell);
     }
     mark_unchecked(vertex);
     return vertex;
@@ -187,8 +190,6 @@ void RestrictedDelaunay::query_or_postpone(DelaunayCell delaunay_cell, int index
     const DelaunayCell neighbor = delaunay_cell->neighbor(index);
     if (is_inside(delaunay_cell->info().region) != is_inside(neighbor->info().region))
         query_dual_edge(delaunay_cell, index, kNoFacet);
-    else if (postponed_cells_.empty() || postponed_cells_.back() != delaunay_cell)
-        postponed_cells_.push_back(delaunay_cell);
 }
 
 void RestrictedDelaunay::query_even_facets()

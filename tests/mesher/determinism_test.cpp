@@ -38,7 +38,9 @@ TEST(Determinism, two_runs_give_the_same_bytes)
     const SphereUnionOracle spheres = row_of_spheres();
     EXPECT_TRUE(same_bytes(mesh_surface(spheres, kOptions).mesh, mesh_surface(spheres, kOptions).mesh));
 
-    for (const VolumeKind kind : {VolumeKind::kSmoothNoise, VolumeKind::kSpecks, VolumeKind::kThroughBorder})
+    for (const VolumeKind kind :
+         {VolumeKind::kWhiteNoise, VolumeKind::kSmoothNoise, VolumeKind::kIntegers, VolumeKind::kSpecks,
+          VolumeKind::kCheckerboard, VolumeKind::kThinSheets, VolumeKind::kThroughBorder})
     {
         const RandomVolume random = make_random_volume(kind, 3);
         const auto first = make_trilinear_oracle(random.volume, random.isovalue);

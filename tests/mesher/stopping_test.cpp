@@ -84,7 +84,11 @@ TEST(Stopping, a_sink_that_never_stops_changes_nothing)
 
 TEST(Stopping, a_spent_budget_leaves_a_closed_mesh)
 {
-    for (const std::size_t budget : {1U, 3U, 4U, 5U, 10U, 50U, 200U, 2000U})
+    std::vector<std::size_t> budgets{1, 3, 4, 5, 10, 50, 200, 2000};
+    for (std::size_t budget = 280; budget <= 430;
+         budget += 10) // here both spheres are coarse and touch everywhere
+        budgets.push_back(budget);
+    for (const std::size_t budget : budgets)
     {
         SCOPED_TRACE(budget);
         MeshingOptions options = kOptions;
