@@ -26,9 +26,9 @@ bool inside(DelaunayCell delaunay_cell)
 std::vector<BoundaryFace> collect_faces(const RestrictedDelaunay& restricted)
 {
     std::vector<BoundaryFace> faces;
-    for (const DelaunayCell delaunay_cell : restricted.triangulation().finite_cell_handles())
+    for (const DelaunayCell delaunay_cell : restricted.triangulation().all_cell_handles())
     {
-        if (!inside(delaunay_cell))
+        if (!inside(delaunay_cell)) // infinite cells are outside
             continue;
         for (int i = 0; i < 4; ++i)
         {

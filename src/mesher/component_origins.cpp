@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesh/topology.h"
+#include "support/union_find.h"
 
 namespace voroprobe
 {
@@ -32,17 +32,26 @@ FoundBy found_by(VertexHandle vertex)
 
 void count_component_origins(const BoundaryComplex& complex, MeshingStatistics& statistics)
 {
-    const auto component_of_face = component_of_faces(complex.mesh);
-    std::vector<FoundBy> means;
-    for (std::size_t f = 0; f < complex.mesh.faces.size(); ++f)
+    UnionFind pieces(
+        complex.mesh.vertices.size()); // in a manifold, faces joined at vertices are joined at edges
+    for (const auto& face : complex.mesh.faces)
     {
-        const std::uint32_t component = component_of_face[f];
-        means.resize(std::max<std::size_t>(means.size(), component + 1), FoundBy::kRefinement);
-        for (const std::uint32_t vertex : complex.mesh.faces[f])
-            means[component] = std::max(means[component], found_by(complex.vertex_of_copy[vertex]));
+        pieces.unite(face[0], face[1]);
+        pieces.unite(face[0], face[2]);
+    }
+    std::vector<FoundBy> means(complex.mesh.vertices.size(), FoundBy::kRefinement);
+    for (std::uint32_t vertex = 0; vertex < means.size(); ++vertex)
+    {
+        const std::uint32_t piece = pieces.find(vertex);
+        means[piece] = std::max(means[piece], found_by(complex.vertex_of_copy[vertex]));
     }
     const auto count = [&](FoundBy wanted)
-    { return static_cast<std::size_t>(std::count(means.begin(), means.end(), wanted)); };
+    {
+        std::size_t found = 0;
+        for (std::uint32_t vertex = 0; vertex < means.size(); ++vertex)
+            found += pieces.find(vertex) == vertex && means[vertex] == wanted ? 1 : 0;
+        return found;
+    };
     statistics.components_by_initialization = count(FoundBy::kProbe);
     statistics.components_by_isolated_vertex = count(FoundBy::kIsolatedVertex);
     statistics.components_by_refinement = count(FoundBy::kRefinement);

@@ -84,13 +84,16 @@ OutgoingHalfEdges group_by_source(const TriangleMesh& mesh)
     return outgoing;
 }
 
-std::vector<PinchedEdge> find_pinched_edges(const TriangleMesh& mesh)
+std::vector<PinchedEdge> find_pinched_edges(const BoundaryComplex& complex)
 {
+    const TriangleMesh& mesh = complex.mesh;
     OutgoingHalfEdges outgoing = group_by_source(mesh);
     const auto target = [&](std::uint32_t h) { return mesh.faces[h / 3][(h % 3 + 1) % 3]; };
     std::vector<PinchedEdge> pinched;
     for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v)
     {
+        if (!complex.vertex_of_copy[v]->info().pinched)
+            continue;
         const auto first = outgoing.half_edges.begin() + outgoing.begin[v];
         const auto last = outgoing.half_edges.begin() + outgoing.begin[v + 1];
         std::sort(first, last,
@@ -161,7 +164,7 @@ std::vector<Displacement> split_pinched_edges(const SurfaceOracle& oracle, Bound
 {
     std::vector<Displacement> moves;
     FaceCutter cutter(complex);
-    for (const PinchedEdge& edge : find_pinched_edges(complex.mesh))
+    for (const PinchedEdge& edge : find_pinched_edges(complex))
     {
         std::vector<Wedge> wedges;
         const bool joined =

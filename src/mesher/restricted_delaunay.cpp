@@ -16,6 +16,17 @@ namespace
 // domain as soon as it holds one point; a little more keeps their Delaunay cells well shaped.
 constexpr double kSentinelDistance = 8.0;
 
+// How many cells ahead query_even_facets() asks for the next ones.
+constexpr std::size_t kPrefetchDistance = 4;
+
+void prefetch(DelaunayCell delaunay_cell)
+{
+    constexpr std::size_t kCacheLineBytes = 64;
+    const char* begin = reinterpret_cast<const char*>(&*delaunay_cell);
+    for (std::size_t offset = 0; offset < sizeof(*delaunay_cell); offset += kCacheLineBytes)
+        __builtin_prefetch(begin + offset);
+}
+
 std::uint8_t capped_count(std::size_t count)
 {
     return static_cast<std::uint8_t>(count <= 255 ? count : 254 + (count & 1U));
@@ -195,10 +206,23 @@ void RestrictedDelaunay::query_or_postpone(DelaunayCell delaunay_cell, int index
 void RestrictedDelaunay::query_even_facets()
 {
     changed_facets_.clear();
-    for (const DelaunayCell delaunay_cell : postponed_cells_)
+    const auto is_used = [&](DelaunayCell delaunay_cell)
     {
-        if (!triangulation_.tds().cells().is_used(delaunay_cell))
-            continue; // gone since; a new cell in its place is as welcome
+        return triangulation_.tds().cells().is_used(
+            delaunay_cell); // a new cell in an old one's place is as welcome
+    };
+    for (std::size_t c = 0; c < postponed_cells_.size(); ++c)
+    {
+        // Half of the time here would be spent on waiting for the cells beyond the facets.
+        if (c + kPrefetchDistance < postponed_cells_.size() &&
+            is_used(postponed_cells_[c + kPrefetchDistance]))
+        {
+            for (int i = 0; i < 4; ++i)
+                prefetch(postponed_cells_[c + kPrefetchDistance]->neighbor(i));
+        }
+        const DelaunayCell delaunay_cell = postponed_cells_[c];
+        if (!is_used(delaunay_cell))
+            continue;
         for (int i = 0; i < 4; ++i)
         {
             if (delaunay_cell->info().facet[static_cast<std::size_t>(i)] == kUnqueriedFacet)
