@@ -1,16 +1,13 @@
 #include "mesher/surface_extraction.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <iterator>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include "mesher/boundary_complex.h"
 #include "mesher/component_origins.h"
 #include "mesher/contact_separation.h"
+#include "mesher/open_border.h"
 #include "mesher/pinched_edges.h"
 #include "mesher/relabelling.h"
 
@@ -22,48 +19,6 @@ namespace
 // Vertices within this many floor radii of a side of the domain lie on it: far above rounding, below what
 // could be seen.
 constexpr double kOnSideInFloors = 0.05;
-
-//! Whether the whole face lies on one side of the box.
-bool lies_on_side(const TriangleMesh& mesh, const TriangleMesh::Face& face, const Box3& box, double tolerance)
-{
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-        for (const double side : {box.min[axis], box.max[axis]})
-        {
-            if (std::all_of(face.begin(), face.end(),
-                            [&](std::uint32_t vertex)
-                            { return std::abs(mesh.vertices[vertex][axis] - side) <= tolerance; }))
-                return true;
-        }
-    }
-    return false;
-}
-
-//! Drops the faces on the domain's border, and then the vertices on no face.
-void open_border(const Box3& domain, double tolerance, TriangleMesh& mesh)
-{
-    std::vector<TriangleMesh::Face> kept;
-    std::copy_if(mesh.faces.begin(), mesh.faces.end(), std::back_inserter(kept),
-                 [&](const TriangleMesh::Face& face)
-                 { return !lies_on_side(mesh, face, domain, tolerance); });
-    constexpr auto kUnused = std::numeric_limits<std::uint32_t>::max();
-    std::vector<std::uint32_t> new_index(mesh.vertices.size(), kUnused);
-    std::vector<Point3> used;
-    for (TriangleMesh::Face& face : kept)
-    {
-        for (std::uint32_t& corner : face)
-        {
-            if (new_index[corner] == kUnused)
-            {
-                new_index[corner] = static_cast<std::uint32_t>(used.size());
-                used.push_back(mesh.vertices[corner]);
-            }
-            corner = new_index[corner];
-        }
-    }
-    mesh.faces = std::move(kept);
-    mesh.vertices = std::move(used);
-}
 
 ContactReport take_apart(const RestrictedDelaunay& restricted, BoundaryComplex& complex)
 {
