@@ -127,12 +127,17 @@ void check_and_write(TriangleMesh& mesh, MeshFormat format, MeshRun& run, Progre
 
 std::vector<std::string> result_warnings(const MeshRun& run)
 {
-    const std::size_t abandoned = run.statistics.isolated_vertices_abandoned;
-    if (abandoned == 0)
-        return {};
-    return {count_text(abandoned) +
+    std::vector<std::string> warnings;
+    if (const std::size_t abandoned = run.statistics.isolated_vertices_abandoned; abandoned > 0)
+        warnings.push_back(
+            count_text(abandoned) +
             " points of the surface are on no face of the mesh: parts about as small as --floor " +
-            number_text(run.options.floor_radius) + " mm may be missing"};
+            number_text(run.options.floor_radius) + " mm may be missing");
+    if (const std::size_t carved = run.statistics.contacts_carved; carved > 0)
+        warnings.push_back(
+            "the surface touched itself at " + count_text(carved) +
+            " vertices where it could not be drawn apart: the object was cut away around them");
+    return warnings;
 }
 
 } // namespace
