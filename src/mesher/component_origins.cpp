@@ -30,7 +30,8 @@ FoundBy found_by(VertexHandle vertex)
 
 } // namespace
 
-void count_component_origins(const BoundaryComplex& complex, MeshingStatistics& statistics)
+void count_component_origins(const BoundaryComplex& complex, std::size_t vertices_inserted,
+                             MeshingStatistics& statistics)
 {
     UnionFind pieces(
         complex.mesh.vertices.size()); // in a manifold, faces joined at vertices are joined at edges
@@ -45,6 +46,15 @@ void count_component_origins(const BoundaryComplex& complex, MeshingStatistics& 
         const std::uint32_t piece = pieces.find(vertex);
         means[piece] = std::max(means[piece], found_by(complex.vertex_of_copy[vertex]));
     }
+    std::vector<bool> used(vertices_inserted, false);
+    for (const VertexHandle vertex : complex.vertex_of_copy)
+    {
+        if (vertex != VertexHandle())
+            used[vertex->info().index] = true;
+    }
+    statistics.isolated_vertices_abandoned =
+        static_cast<std::size_t>(std::count(used.begin() + kSentinelCount, used.end(), false));
+
     const auto count = [&](FoundBy wanted)
     {
         std::size_t found = 0;

@@ -169,6 +169,11 @@ public:
         for (const Displacement* move : crossing)
             report_.unseparated.push_back(move->near);
         report_.separated = moves_.size() - crossing.size();
+        const auto by_index = [](VertexHandle a, VertexHandle b)
+        { return a->info().index < b->info().index; };
+        std::sort(report_.unseparated.begin(), report_.unseparated.end(), by_index);
+        report_.unseparated.erase(std::unique(report_.unseparated.begin(), report_.unseparated.end()),
+                                  report_.unseparated.end());
         return report_;
     }
 

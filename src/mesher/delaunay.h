@@ -34,6 +34,9 @@ enum class VertexOrigin : std::uint8_t
     kRefinement      //!< center of a bad facet's surface Delaunay ball
 };
 
+//! Vertices with VertexOrigin::kSentinel; their indices come first.
+inline constexpr int kSentinelCount = 4;
+
 struct VertexData
 {
     std::uint32_t index = 0; //!< in order of insertion, sentinels first

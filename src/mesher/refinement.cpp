@@ -48,8 +48,8 @@ void Refinement::refine()
     }
 }
 
-// Inserts the center of the facet's surface Delaunay ball. False where rounding hides the conflict: the facet
-// is kept as it is.
+// Inserts the center of the facet's surface Delaunay ball. Where rounding hides the conflict the facet is
+// kept as it is.
 void Refinement::refine_facet(FacetId id)
 {
     RestrictedFacet& facet = restricted_.facet(id);

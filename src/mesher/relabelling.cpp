@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -61,6 +60,13 @@ double least_altitude(const std::array<Point3, 4>& p)
     return largest_two_areas > 0.0 ? six_volumes / largest_two_areas : 0.0;
 }
 
+//! Which cells at a pinched edge may change sides.
+enum class Cells
+{
+    kAgreeingWithOracle, //!< those on the side where the middle of the edge is not
+    kAny
+};
+
 //! The odd facets around one vertex as edges of its link.
 struct Link
 {
@@ -86,7 +92,10 @@ public:
             if (vertex->info().pinched && vertex->info().origin != VertexOrigin::kSentinel)
                 pinched.push_back(vertex);
         }
-        return dissolve_crumbs(pinched) + sweep(pinched, false) + sweep(pinched, true);
+        std::size_t changed = dissolve_crumbs(pinched);
+        changed += sweep(pinched, Cells::kAgreeingWithOracle);
+        changed += sweep(pinched, Cells::kAny);
+        return changed;
     }
 
 private:
@@ -97,7 +106,7 @@ private:
         std::size_t changed = 0;
         for (const VertexHandle vertex : pinched)
         {
-            for (const DelaunayCell delaunay_cell : std::vector<DelaunayCell>(cells_around(vertex)))
+            for (const DelaunayCell delaunay_cell : cells_around(vertex))
             {
                 if (count_odd_facets(delaunay_cell) != 4 ||
                     least_altitude(corner_positions(delaunay_cell)) > floor_)
@@ -116,7 +125,7 @@ private:
 
     //! Mends the given vertices, then those at the cells changed, and so on. Returns the number of cells
     //! changed.
-    std::size_t sweep(std::vector<VertexHandle> vertices, bool either_side)
+    std::size_t sweep(std::vector<VertexHandle> vertices, Cells allowed)
     {
         std::size_t changed = 0;
         for (int sweep = 0; sweep < kSweeps && !vertices.empty(); ++sweep)
@@ -124,7 +133,7 @@ private:
             std::vector<VertexHandle> touched;
             for (const VertexHandle vertex : vertices)
             {
-                const DelaunayCell delaunay_cell = mend(vertex, either_side);
+                const DelaunayCell delaunay_cell = mend(vertex, allowed);
                 if (delaunay_cell == DelaunayCell())
                     continue;
                 ++changed;
@@ -142,7 +151,7 @@ private:
 
     //! Changes the side of the cell at the vertex that gains most, and returns it; a null handle where none
     //! gains.
-    DelaunayCell mend(VertexHandle vertex, bool either_side)
+    DelaunayCell mend(VertexHandle vertex, Cells allowed)
     {
         const Link link = link_of(vertex);
         std::optional<std::pair<int, DelaunayCell>> best;
@@ -154,7 +163,8 @@ private:
             for (const DelaunayCell delaunay_cell : cells_around(vertex))
             {
                 if (!delaunay_cell->has_vertex(link.nodes[n]) ||
-                    (!either_side && inside(delaunay_cell) == joined) || !may_change(delaunay_cell))
+                    (allowed == Cells::kAgreeingWithOracle && inside(delaunay_cell) == joined) ||
+                    !may_change(delaunay_cell))
                     continue;
                 const int gain = gain_of_change(delaunay_cell);
                 if (gain > 0 && (!best || gain > best->first))
@@ -241,8 +251,9 @@ private:
                 const int apex = delaunay_cell->index(vertex);
                 const int a = i != 0 && apex != 0 ? 0 : i != 1 && apex != 1 ? 1 : 2;
                 const int b = 6 - apex - i - a;
-                edges.emplace_back(node(link, delaunay_cell->vertex(a)),
-                                   node(link, delaunay_cell->vertex(b)));
+                const std::uint32_t first = node(link, delaunay_cell->vertex(a));
+                const std::uint32_t second = node(link, delaunay_cell->vertex(b));
+                edges.emplace_back(first, second);
             }
         }
         link.degrees.assign(link.nodes.size(), 0);

@@ -12,9 +12,13 @@ namespace voroprobe
 namespace
 {
 
-// Sentinels stand this many domain diagonals away. Any factor above 2 keeps their Voronoi cells out of the
-// domain as soon as it holds one point; a little more keeps their Delaunay cells well shaped.
+// Sentinels stand this many domain diagonals away along each axis. Any factor above 2 keeps their Voronoi
+// cells out of the domain as soon as it holds one point; a little more keeps their Delaunay cells well
+// shaped.
 constexpr double kSentinelDistance = 8.0;
+
+// Below this length it does not pay to clear the list of postponed cells.
+constexpr std::size_t kLeastPostponedLimit = 1U << 16U;
 
 // How many cells ahead query_even_facets() asks for the next ones.
 constexpr std::size_t kPrefetchDistance = 4;
@@ -112,6 +116,7 @@ VertexHandle RestrictedDelaunay::insert(const Point3& p, DelaunayCell start, Ver
         if (std::find(facets.begin(), facets.end(), kUnqueriedFacet) != facets.end())
             postponed_cells_.push_back(delaunay_cell);
     }
+    forget_dead_postponed_cells();
     mark_unchecked(vertex);
     return vertex;
 }
@@ -201,6 +206,16 @@ void RestrictedDelaunay::query_or_postpone(DelaunayCell delaunay_cell, int index
     const DelaunayCell neighbor = delaunay_cell->neighbor(index);
     if (is_inside(delaunay_cell->info().region) != is_inside(neighbor->info().region))
         query_dual_edge(delaunay_cell, index, kNoFacet);
+}
+
+// Most cells noted are gone long before they would be asked about.
+void RestrictedDelaunay::forget_dead_postponed_cells()
+{
+    if (postponed_cells_.size() < postponed_limit_)
+        return;
+    std::erase_if(postponed_cells_, [&](DelaunayCell delaunay_cell)
+                  { return !triangulation_.tds().cells().is_used(delaunay_cell); });
+    postponed_limit_ = std::max<std::size_t>(2 * postponed_cells_.size(), kLeastPostponedLimit);
 }
 
 void RestrictedDelaunay::query_even_facets()
@@ -353,7 +368,7 @@ FacetId RestrictedDelaunay::allocate_facet()
 {
     if (free_facets_.empty())
     {
-        CHECK_LT(facets_.size(), static_cast<std::size_t>(kNoFacet));
+        CHECK_LT(facets_.size(), static_cast<std::size_t>(kUnqueriedFacet));
         facets_.emplace_back();
         return static_cast<FacetId>(facets_.size() - 1);
     }

@@ -17,9 +17,10 @@ struct RestrictedFacet
     double squared_radius = 0.0;  //!< of the surface Delaunay ball
     DelaunayCell delaunay_cell{}; //!< the facet is the one opposite ...
     std::uint8_t index = 0;       //!< ... this vertex of the Delaunay cell
-    std::uint8_t crossing_count =
-        0;             //!< crossings of the dual edge, capped at 255 with the parity kept; 0: slot is free
-    bool kept = false; //!< breaks a criterion but is as small as the floor
+    bool kept = false;            //!< rounding hides the conflict of its center: not refined any more
+
+    //! Crossings of the dual edge, capped at 255 with the parity kept; 0: the slot is free.
+    std::uint8_t crossing_count = 0;
     std::array<std::uint32_t, 3> vertices{}; //!< indices of the corners
     std::uint32_t generation = 0;            //!< changes whenever the slot is reused or the facet recomputed
 
@@ -61,6 +62,9 @@ public:
     //! The facets that the last insertion created or changed.
     [[nodiscard]] const std::vector<FacetId>& changed_facets() const { return changed_facets_; }
 
+    //! Has the vertex taken by the next take_unchecked_vertices().
+    void mark_unchecked(VertexHandle vertex);
+
     //! Takes the vertices, sentinels left out, whose odd facets changed since they were last taken.
     std::vector<VertexHandle> take_unchecked_vertices();
 
@@ -92,8 +96,6 @@ public:
     }
 
 private:
-    static constexpr std::size_t kSentinelCount = 4;
-
     //! A facet between the conflict zone and the Delaunay cells that stay.
     struct ZoneBoundaryFacet
     {
@@ -105,11 +107,11 @@ private:
     void insert_sentinels();
     void forget_zone();
     void set_dual_vertex(DelaunayCell delaunay_cell);
+    void forget_dead_postponed_cells();
     void query_or_postpone(DelaunayCell delaunay_cell, int index);
     void carry_over(const ZoneBoundaryFacet& boundary, const Point3& inserted);
     void query_dual_edge(DelaunayCell delaunay_cell, int index, FacetId reuse);
     void mark_unchecked(const RestrictedFacet& facet);
-    void mark_unchecked(VertexHandle vertex);
     FacetId allocate_facet();
     void release_facet(FacetId id);
 
@@ -120,6 +122,7 @@ private:
     std::vector<FacetId> free_facets_;
     std::vector<FacetId> changed_facets_;
     std::vector<VertexHandle> unchecked_vertices_;
+    std::size_t postponed_limit_ = 0; //!< postponed_cells_ is cleared of dead cells when it is as long
     std::vector<DelaunayCell> postponed_cells_; //!< with facets not asked about; some are gone since
 
     // Scratch of one insertion, kept to avoid allocation.

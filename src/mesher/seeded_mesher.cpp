@@ -1,4 +1,4 @@
-// This file follows:
+// This file follows, but for the probing of Voronoi cells:
 // Hugo Feree and Pierre Alliez, Probing for Surface Mesh Generation through Delaunay Refinement, INRIA
 // RR-8123, 2009, Sec. 4.
 
@@ -20,49 +20,46 @@ namespace voroprobe
 namespace
 {
 
-// Points of initialize_component() nearer than this to a vertex, in floor radii, would only make slivers.
-constexpr double kLeastSeparationInFloors = 1.0 / 64.0;
-
 class SeededMesher
 {
 public:
     SeededMesher(const SurfaceOracle& oracle, const MeshingOptions& options, ProgressSink* progress)
-        : oracle_(oracle), options_(options), progress_(progress), restricted_(oracle, statistics_),
+        : oracle_(oracle), options_(options), restricted_(oracle, statistics_),
           refinement_(restricted_, options_, statistics_, progress)
     {
     }
 
     MeshingResult run()
     {
-        const auto first = probe_domain(oracle_, options_.reach_lower_bound, statistics_.queries_probing);
-        if (!first)
-            return result();
-
-        initialize(refinement_.insert(*first, VertexOrigin::kProbe));
-        do
+        if (const auto first = probe_domain(oracle_, options_.reach_lower_bound, statistics_.queries_probing))
+        {
+            initialize(refinement_.insert(*first, VertexOrigin::kProbe));
             refinement_.refine();
-        while (refinement_.status() == MeshingStatus::kDone && initialize_isolated_vertices());
-        return result();
+            while (refinement_.status() == MeshingStatus::kDone && initialize_isolated_vertices())
+                refinement_.refine();
+        }
+        return result(); // the branch that probes Voronoi cells is left out: docs/design.md, section 3
     }
 
 private:
-    void initialize(VertexHandle vertex)
+    //! False where no triangle could be begun at the vertex. Otherwise the vertex is looked at again after
+    //! refinement: if it is still isolated, the next attempt is smaller.
+    bool initialize(VertexHandle vertex)
     {
-        initialize_component(vertex, restricted_, options_, refinement_, statistics_);
+        if (!initialize_component(vertex, restricted_, options_, refinement_, statistics_))
+            return false;
+        restricted_.mark_unchecked(vertex);
+        return true;
     }
 
-    //! False when there is no isolated vertex left that has attempts left.
+    //! False when there is no isolated vertex left at which a triangle can be begun.
     bool initialize_isolated_vertices()
     {
         bool any = false;
         while (const auto isolated = refinement_.take_isolated_vertex())
         {
-            if ((*isolated)->info().initializations == kMaxInitializations)
-            {
-                ++statistics_.isolated_vertices_abandoned;
-                continue;
-            }
-            initialize(*isolated);
+            if ((*isolated)->info().initializations == kMaxInitializations || !initialize(*isolated))
+                continue; // on no face in the end, unless refinement reaches it: counted then
             any = true;
             if (options_.isolated_vertices == IsolatedVertices::kOneAtATime)
                 break;
@@ -82,7 +79,6 @@ private:
 
     const SurfaceOracle& oracle_;
     MeshingOptions options_;
-    ProgressSink* progress_;
     MeshingStatistics statistics_;
     Stopwatch stopwatch_;
     RestrictedDelaunay restricted_;
@@ -115,6 +111,10 @@ void check_options(const MeshingOptions& options)
 MeshingResult mesh_surface(const SurfaceOracle& oracle, const MeshingOptions& options, ProgressSink* progress)
 {
     check_options(options);
+    const Box3 domain = oracle.domain();
+    if (domain.empty() || !is_finite(domain.min) || !is_finite(domain.max) || domain.diagonal() == 0.0)
+        throw UsageError(
+            "the oracle's domain is empty, a point or not finite; it must be a box that holds the object");
     return SeededMesher(oracle, options, progress).run();
 }
 

@@ -23,7 +23,7 @@ struct MeshingStatistics
 {
     std::size_t queries_probing = 0;        //!< oracle segment queries by probe()
     std::size_t queries_initialization = 0; //!< by initialize_component()
-    std::size_t queries_refinement = 0;     //!< by refine()
+    std::size_t queries_refinement = 0;     //!< about dual edges, whoever inserted the point
     std::size_t region_lookups = 0;         //!< oracle point queries
     std::size_t insertions = 0;             //!< points inserted into the triangulation
     std::size_t stale_queue_entries = 0;    //!< bad facets popped after they had vanished
@@ -32,21 +32,25 @@ struct MeshingStatistics
     std::size_t components_by_isolated_vertex = 0; //!< pieces begun at an isolated vertex
     std::size_t components_by_probing = 0;         //!< pieces first met by probing a Voronoi cell
     std::size_t components_by_refinement = 0;      //!< pieces that refinement reached by itself
-    std::size_t isolated_vertices_abandoned = 0; //!< vertices that no facet of the mesh could be made to use
+    std::size_t isolated_vertices_abandoned = 0;   //!< points of the surface on no face in the end
 
-    std::size_t facets_at_floor =
-        0; //!< facets that break a criterion, kept because they are as small as the floor
-    std::size_t cells_relabelled =
-        0; //!< slivers moved to the other side of the surface to mend a pinched edge
-    std::size_t contacts_separated = 0; //!< vertices moved by a hair where the surface touched itself
-    std::size_t contacts_carved =
-        0; //!< contacts that could not be taken apart: the inside around them was given up
-    double seconds_refinement = 0.0; //!< wall clock, refinement and seeding together
+    //! Facets whose dual edge crosses the surface more than once in the end: as small as the floor, unless
+    //! the run was stopped.
+    std::size_t facets_at_floor = 0;
+    //! Slivers moved to the other side of the surface to mend a pinched edge, and crumbs dissolved.
+    std::size_t cells_relabelled = 0;
+    //! Vertices moved by a hair where the surface touched itself.
+    std::size_t contacts_separated = 0;
+    //! Contacts that could not be taken apart: the inside around them was given up.
+    std::size_t contacts_carved = 0;
+
+    double seconds_refinement = 0.0; //!< wall clock of the whole run: seeding, refinement, extraction
 };
 
 struct MeshingResult
 {
-    TriangleMesh mesh; //!< oracle frame; closed, oriented outward, 2-manifold, no face crossing another
+    TriangleMesh mesh; //!< oracle frame; closed (but for an open border), oriented outward, 2-manifold, no
+                       //!< face crossing another
     MeshingStatistics statistics;
     MeshingStatus status = MeshingStatus::kDone;
 };

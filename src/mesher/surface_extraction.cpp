@@ -62,7 +62,7 @@ TriangleMesh extract_surface(RestrictedDelaunay& restricted, const MeshingOption
         contacts = take_apart(restricted, complex);
     }
     statistics.contacts_separated = contacts.separated;
-    count_component_origins(complex, statistics);
+    count_component_origins(complex, restricted.vertex_index_bound(), statistics);
     TriangleMesh mesh = std::move(complex.mesh);
     if (!options.close_border)
         open_border(restricted.oracle().domain(), kOnSideInFloors * options.floor_radius, mesh);

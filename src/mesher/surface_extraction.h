@@ -7,8 +7,8 @@
 namespace voroprobe
 {
 
-//! The odd facets as a mesh: closed, oriented outward, every edge on exactly two faces, every vertex with one
-//! fan, no face crossing another, no unused vertex.
+//! The odd facets as a mesh: closed (but for an open border), oriented outward, every edge on exactly two
+//! faces, every vertex with one fan, no face crossing another, no unused vertex.
 //!
 //! The odd facets bound the union of the inside Delaunay cells. Where that union touches itself at an edge,
 //! cells thinner than the floor change sides if that mends it (relabelling.h); what still touches is taken
