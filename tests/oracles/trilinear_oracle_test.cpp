@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "concurrent_queries.h"
 #include "oracle_laws.h"
 #include "support/error.h"
 #include "trilinear_reference.h"
@@ -347,6 +348,12 @@ TEST(TrilinearOracle, keeps_the_laws_of_oracles)
     expect_laws_on_random_segments(*oracle_of(blobs(), 0.9), 10, 100'000);
     expect_laws_on_random_segments(*oracle_of(random_integer_volume<std::int32_t>(11, {1, 2, 3}), 3.0), 11,
                                    20'000);
+}
+
+TEST(TrilinearOracle, answers_four_threads_at_once_as_it_answers_one)
+{
+    expect_same_answers_from_four_threads(*oracle_of(blobs(), 0.9), 20'000);
+    expect_same_answers_from_four_threads(*oracle_of(random_float_volume(13, {0.7, 1.0, 2.3}), 0.1), 5000);
 }
 
 TEST(TrilinearOracle, a_box_that_may_not_cross_holds_no_crossing_and_one_region)
