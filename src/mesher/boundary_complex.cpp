@@ -18,11 +18,6 @@ std::uint32_t next_in_face(std::uint32_t half_edge)
     return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1;
 }
 
-bool inside(DelaunayCell delaunay_cell)
-{
-    return is_inside(delaunay_cell->info().region);
-}
-
 std::vector<BoundaryFace> collect_faces(const RestrictedDelaunay& restricted)
 {
     std::vector<BoundaryFace> faces;

@@ -69,6 +69,24 @@ inline Point3 position(const VertexHandle& vertex)
     return {vertex->point().x(), vertex->point().y(), vertex->point().z()};
 }
 
+inline std::array<Point3, 4> corner_positions(DelaunayCell delaunay_cell)
+{
+    return {position(delaunay_cell->vertex(0)), position(delaunay_cell->vertex(1)),
+            position(delaunay_cell->vertex(2)), position(delaunay_cell->vertex(3))};
+}
+
+//! Whether the circumcenter lies inside; the Delaunay cell then counts as inside.
+inline bool inside(DelaunayCell delaunay_cell)
+{
+    return is_inside(delaunay_cell->info().region);
+}
+
+//! Whether the facet opposite vertex i separates inside from outside.
+inline bool separates_sides(DelaunayCell delaunay_cell, int i)
+{
+    return inside(delaunay_cell) != inside(delaunay_cell->neighbor(i));
+}
+
 inline Kernel::Point_3 cgal_point(const Point3& p)
 {
     return {p.x, p.y, p.z};

@@ -23,28 +23,12 @@ constexpr int kCostOfPinchedEdgeEnd = 2;
 constexpr int kCostOfUmbrella = 1;
 constexpr int kSweeps = 8; // each sees what the one before has changed
 
-bool inside(DelaunayCell delaunay_cell)
-{
-    return is_inside(delaunay_cell->info().region);
-}
-
-bool odd(DelaunayCell delaunay_cell, int i)
-{
-    return inside(delaunay_cell) != inside(delaunay_cell->neighbor(i));
-}
-
 int count_odd_facets(DelaunayCell delaunay_cell)
 {
     int count = 0;
     for (int i = 0; i < 4; ++i)
-        count += odd(delaunay_cell, i) ? 1 : 0;
+        count += separates_sides(delaunay_cell, i) ? 1 : 0;
     return count;
-}
-
-std::array<Point3, 4> corner_positions(DelaunayCell delaunay_cell)
-{
-    return {position(delaunay_cell->vertex(0)), position(delaunay_cell->vertex(1)),
-            position(delaunay_cell->vertex(2)), position(delaunay_cell->vertex(3))};
 }
 
 //! The least distance of a tetrahedron's corner from the plane of the others.
@@ -213,7 +197,7 @@ private:
                 cost += degree > 2 ? kCostOfPinchedEdgeEnd * (degree / 2 - 1) : 0;
             cost += kCostOfUmbrella * static_cast<int>(link.component_count);
             const auto j = static_cast<std::size_t>(i);
-            if (odd(delaunay_cell, i) &&
+            if (separates_sides(delaunay_cell, i) &&
                 below_bound(corners[(j + 1) % 4], corners[(j + 2) % 4], corners[(j + 3) % 4]))
                 ++cost;
         }
@@ -246,7 +230,8 @@ private:
         {
             for (int i = 0; i < 4; ++i)
             {
-                if (!inside(delaunay_cell) || delaunay_cell->vertex(i) == vertex || !odd(delaunay_cell, i))
+                if (!inside(delaunay_cell) || delaunay_cell->vertex(i) == vertex ||
+                    !separates_sides(delaunay_cell, i))
                     continue;
                 const int apex = delaunay_cell->index(vertex);
                 const int a = i != 0 && apex != 0 ? 0 : i != 1 && apex != 1 ? 1 : 2;

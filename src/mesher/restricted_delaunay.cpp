@@ -156,9 +156,7 @@ void RestrictedDelaunay::set_dual_vertex(DelaunayCell delaunay_cell)
     data.facet.fill(kUnqueriedFacet);
     if (triangulation_.is_infinite(delaunay_cell))
         return;
-    data.circumcenter =
-        circumcenter({position(delaunay_cell->vertex(0)), position(delaunay_cell->vertex(1)),
-                      position(delaunay_cell->vertex(2)), position(delaunay_cell->vertex(3))});
+    data.circumcenter = circumcenter(corner_positions(delaunay_cell));
     data.region = oracle_.region(data.circumcenter);
     ++statistics_.region_lookups;
 }
@@ -169,7 +167,7 @@ void RestrictedDelaunay::carry_over(const ZoneBoundaryFacet& boundary, const Poi
     const DelaunayCell inner = boundary.outer->neighbor(boundary.outer_index);
     const int inner_index = triangulation_.mirror_index(boundary.outer, boundary.outer_index);
     FacetId& inner_facet = inner->info().facet[static_cast<std::size_t>(inner_index)];
-    const bool odd = is_inside(boundary.outer->info().region) != is_inside(inner->info().region);
+    const bool odd = separates_sides(boundary.outer, boundary.outer_index);
     if (boundary.facet == kUnqueriedFacet)
     {
         query_or_postpone(boundary.outer, boundary.outer_index);
@@ -203,8 +201,7 @@ void RestrictedDelaunay::carry_over(const ZoneBoundaryFacet& boundary, const Poi
 
 void RestrictedDelaunay::query_or_postpone(DelaunayCell delaunay_cell, int index)
 {
-    const DelaunayCell neighbor = delaunay_cell->neighbor(index);
-    if (is_inside(delaunay_cell->info().region) != is_inside(neighbor->info().region))
+    if (separates_sides(delaunay_cell, index))
         query_dual_edge(delaunay_cell, index, kNoFacet);
 }
 

@@ -36,7 +36,7 @@ void carve(const RestrictedDelaunay& restricted, const std::vector<VertexHandle>
         restricted.triangulation().incident_cells(vertex, std::back_inserter(star));
         for (const DelaunayCell delaunay_cell : star)
         {
-            if (!is_inside(delaunay_cell->info().region))
+            if (!inside(delaunay_cell))
                 continue;
             delaunay_cell->info().region = kOuterRegion;
             for (int i = 0; i < 4; ++i)

@@ -11,11 +11,6 @@ namespace voroprobe
 namespace
 {
 
-bool inside(DelaunayCell delaunay_cell)
-{
-    return is_inside(delaunay_cell->info().region);
-}
-
 //! The Delaunay cells around a vertex, joined into parts of space.
 class Sectors
 {

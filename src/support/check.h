@@ -4,8 +4,7 @@
 #include <iostream>
 
 //! CHECK_XX(a, b): a broken invariant stops the program and shows both values. Kept in Release; for user
-//! errors throw a type from error.h instead. DCHECK_XX is the same in builds without NDEBUG and nothing
-//! otherwise, for inner loops.
+//! errors throw a type from error.h instead.
 #define VOROPROBE_CHECK_OP(a, op, b)                                                                         \
     do                                                                                                       \
     {                                                                                                        \
@@ -26,15 +25,3 @@
 #define CHECK_LE(a, b) VOROPROBE_CHECK_OP(a, <=, b)
 #define CHECK_GT(a, b) VOROPROBE_CHECK_OP(a, >, b)
 #define CHECK_GE(a, b) VOROPROBE_CHECK_OP(a, >=, b)
-
-#ifdef NDEBUG
-#define DCHECK(condition) static_cast<void>(0)
-#define DCHECK_EQ(a, b) static_cast<void>(0)
-#define DCHECK_LT(a, b) static_cast<void>(0)
-#define DCHECK_LE(a, b) static_cast<void>(0)
-#else
-#define DCHECK(condition) CHECK(condition)
-#define DCHECK_EQ(a, b) CHECK_EQ(a, b)
-#define DCHECK_LT(a, b) CHECK_LT(a, b)
-#define DCHECK_LE(a, b) CHECK_LE(a, b)
-#endif
