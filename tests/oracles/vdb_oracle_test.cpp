@@ -6,6 +6,7 @@
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/LevelSetSphere.h>
 
+#include "concurrent_queries.h"
 #include "oracle_laws.h"
 #include "support/error.h"
 #include "volume/phantoms.h"
@@ -301,6 +302,12 @@ TEST_F(VdbOracle, a_truncated_file_is_refused_wherever_it_was_cut)
             << length;
     EXPECT_NE(refusal(write_bytes(whole.substr(0, whole.size() - 1))).find("truncated"), std::string::npos);
     EXPECT_EQ(refusal(write_bytes(whole)), "");
+}
+
+TEST_F(VdbOracle, answers_four_threads_at_once_as_it_answers_one)
+{
+    const VdbSurface surface = read_vdb_surface(write({fog_ball({-300, 5, -77}, 11.3)}));
+    expect_same_answers_from_four_threads(*surface.oracle, 20'000);
 }
 
 TEST_F(VdbOracle, transforms_without_a_rigid_frame_are_refused)
