@@ -80,15 +80,22 @@ Header read_header(const std::filesystem::path& path)
     return header;
 }
 
-//! All numbers of a field. \throw InputError where something else stands there.
+//! All numbers of a field. \throw InputError where something else stands there, or one that is not finite.
 std::vector<double> numbers(const Header& header, const std::string& name)
 {
-    std::istringstream stream(header.required(name));
+    std::istringstream words(header.required(name));
     std::vector<double> values;
-    for (double value = 0.0; stream >> value;)
+    for (std::string word; words >> word;)
+    {
+        std::istringstream stream(word);
+        double value = 0.0;
+        if (!(stream >> value) || stream.peek() != std::istringstream::traits_type::eof())
+            throw InputError("the header gives " + name + " = " + header.required(name) +
+                             ", expected finite numbers");
         values.push_back(value);
-    if (!stream.eof() || values.empty())
-        throw InputError("the header gives " + name + " = " + header.required(name) + ", expected numbers");
+    }
+    if (values.empty())
+        throw InputError("the header gives no value for " + name + ", expected finite numbers");
     return values;
 }
 
@@ -119,6 +126,26 @@ std::array<std::int64_t, 4> dimensions(const Header& header)
                              ", more than fits in memory");
     }
     return size;
+}
+
+//! Refuses fields that MetaIO reads and that are no finite numbers or not as many as there are dimensions:
+//! it prints about some of them by itself and takes others for something else.
+void require_numbers(const Header& header)
+{
+    const std::size_t axes = numbers(header, "DimSize").size();
+    const auto require = [&](const char* name, std::size_t count)
+    {
+        if (header.fields.contains(name) && numbers(header, name).size() != count)
+            throw InputError("the header gives " + std::string(name) + " = " + header.required(name) +
+                             ", expected " + std::to_string(count) + " numbers");
+    };
+    for (const char* name :
+         {"ElementSpacing", "ElementSize", "Offset", "Position", "Origin", "CenterOfRotation"})
+        require(name, axes);
+    for (const char* name : {"TransformMatrix", "Rotation", "Orientation"})
+        require(name, axes * axes);
+    for (const char* name : {"ElementMin", "ElementMax"})
+        require(name, 1);
 }
 
 SampleEncoding encoding(const Header& header)
@@ -242,6 +269,7 @@ StoredVolume read_meta_image(const std::filesystem::path& path, const ReadOption
     const Header header = read_header(path);
     const SampleEncoding sample_encoding = encoding(header);
     const std::array<std::int64_t, 4> size = dimensions(header);
+    require_numbers(header);
     const std::size_t sample_bytes = byte_size(sample_encoding.type);
     const std::size_t count = require_sane_size(std::span(size).first(3), sample_bytes);
     const std::size_t total = require_sane_size(size, sample_bytes);

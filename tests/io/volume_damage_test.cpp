@@ -173,6 +173,25 @@ TEST(DamagedVolume, sizes_below_one_are_refused)
     EXPECT_NE(refusal("v.vti", vti_with("0 -1 0 4 0 3")), "");
 }
 
+TEST(DamagedVolume, a_meta_image_is_placed_by_the_right_number_of_finite_numbers)
+{
+    const std::vector<std::pair<std::string, std::string>> fields{{"ElementSpacing", "nan 1 1"},
+                                                                  {"ElementSpacing", "1 1 11e400"},
+                                                                  {"ElementSpacing", "1 1"},
+                                                                  {"ElementSize", "1 1 inf"},
+                                                                  {"ElementSize", ""},
+                                                                  {"Offset", "0 0 1e999"},
+                                                                  {"Position", "0 0 0 0"},
+                                                                  {"Origin", "0 zero 0"},
+                                                                  {"TransformMatrix", "1 0 0 0 1 0 0 0"},
+                                                                  {"Rotation", "11e400 0 0 0 1 0 0 0 1"},
+                                                                  {"Orientation", "1 0 0 0 1 0 0 0 -nan"},
+                                                                  {"ElementMin", "nan"},
+                                                                  {"ElementMax", "1e999"}};
+    for (const auto& [name, value] : fields)
+        expect_has(refusal("v.mha", meta_with("6 5 4", name + " = " + value + "\n", bytes())), name);
+}
+
 TEST(DamagedVolume, a_single_slice_is_not_a_volume)
 {
     const std::string slice(60, '\1');
