@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 namespace voroprobe
@@ -13,7 +12,12 @@ namespace voroprobe
 class UnionFind
 {
 public:
-    explicit UnionFind(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
+    explicit UnionFind(std::size_t count)
+    {
+        parent_.reserve(count);
+        for (std::uint32_t i = 0; i < count; ++i)
+            parent_.push_back(i);
+    }
 
     std::uint32_t find(std::uint32_t i)
     {
