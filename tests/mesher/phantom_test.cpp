@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "integral_geometry.h"
 #include "mesh/measures.h"
 #include "mesh/topology.h"
 #include "oracles/implicit_oracle.h"
@@ -56,6 +57,13 @@ double distance_bound(const TriangleMesh& mesh, double largest_curvature,
     return std::max(*options.max_facet_distance, largest_curvature * largest * largest / 2.0);
 }
 
+//! Asserts that the faces are small enough for the distance criterion's bound to hold of every point.
+void expect_size_to_bound_distance(const TriangleMesh& mesh, double largest_curvature,
+                                   const MeshingOptions& options)
+{
+    EXPECT_LE(distance_bound(mesh, largest_curvature, options), *options.max_facet_distance);
+}
+
 double longest_edge(const TriangleMesh& mesh)
 {
     double longest = 0.0;
@@ -87,6 +95,23 @@ void expect_measures(const TriangleMesh& mesh, double true_area, double true_vol
 {
     EXPECT_NEAR(area(mesh) / true_area, 1.0, kMeasureError);
     EXPECT_NEAR(enclosed_volume(mesh) / true_volume, 1.0, kMeasureError);
+}
+
+//! Against the same surface measured with lines.
+void expect_measures(const TriangleMesh& mesh, const SurfaceOracle& oracle)
+{
+    constexpr std::size_t kDirections = 200;
+    constexpr std::size_t kLines = 40; // squared per direction
+    const SurfaceMeasures truth = measure_with_lines(oracle, kDirections, kLines);
+    expect_measures(mesh, truth.area, truth.volume);
+}
+
+//! Two-sided, against the oracle's own surface.
+void expect_distances(const TriangleMesh& mesh, const SurfaceOracle& oracle, double bound, std::uint64_t seed)
+{
+    Random random(seed);
+    EXPECT_LE(largest_distance_from_faces(mesh, oracle, 1.0, kIntervals), bound);
+    EXPECT_LE(largest_distance_from_points(sample_surface(oracle, kSamples, random), mesh), bound);
 }
 
 std::unique_ptr<SurfaceOracle> sampled(const LevelFunction& function, const std::array<std::size_t, 3>& size,
@@ -141,8 +166,9 @@ TEST(Phantom, nested_shells)
 }
 
 //! A saddle lies above and below its faces: the criterion bounds little there, so the size has to.
+//! 0.42^2 / 6 < 0.03: see distance_bound().
 constexpr MeshingOptions kTorusOptions{
-    .max_facet_radius = 0.6, .max_facet_distance = 0.03, .floor_radius = 0.1, .reach_lower_bound = 0.5};
+    .max_facet_radius = 0.42, .max_facet_distance = 0.03, .floor_radius = 0.1, .reach_lower_bound = 0.5};
 
 TEST(Phantom, a_torus)
 {
@@ -154,11 +180,23 @@ TEST(Phantom, a_torus)
     expect_measures(mesh, 4.0 * pi * pi * 24.0, 2.0 * pi * pi * 72.0);
 
     Random random(3);
-    const double bound = distance_bound(mesh, 1.0 / 3.0, kTorusOptions) + kRounding;
-    EXPECT_LE(bound, 2.0 * *kTorusOptions.max_facet_distance);
+    expect_size_to_bound_distance(mesh, 1.0 / 3.0, kTorusOptions);
+    const double bound = *kTorusOptions.max_facet_distance + kRounding;
     EXPECT_LE(largest_distance_from_faces(mesh, torus, kIntervals), bound);
     EXPECT_LE(largest_distance_from_points(sample_surface(oracle, kSamples, random), mesh), bound);
 }
+
+//! The largest curvature of the zero set of a smooth function, at many points of it.
+double largest_curvature_of(const LevelFunction& function, const SurfaceOracle& oracle)
+{
+    constexpr double kStep = 1e-3;
+    Random random(8);
+    return largest_curvature(function, sample_surface(oracle, kSamples, random), kStep);
+}
+
+//! The thinnest edges curve by at most about 4.2: 4.2 * 0.13^2 / 2 < 0.04.
+constexpr MeshingOptions kDoubleTorusOptions{
+    .max_facet_radius = 0.13, .max_facet_distance = 0.04, .floor_radius = 0.03, .reach_lower_bound = 0.3};
 
 TEST(Phantom, a_double_torus)
 {
@@ -168,14 +206,12 @@ TEST(Phantom, a_double_torus)
     EXPECT_EQ(truth, (SurfaceTopology{.components = 1, .euler_characteristic = -2}));
 
     const ImplicitOracle oracle(double_torus, box, 1.3, 1e-3);
-    const TriangleMesh mesh = mesh_surface(oracle, kOptions).mesh;
+    const TriangleMesh mesh = mesh_surface(oracle, kDoubleTorusOptions).mesh;
     expect_topology(mesh, truth);
-    expect_shape(mesh);
-
-    Random random(4);
-    EXPECT_LE(largest_distance_from_faces(mesh, oracle, 1.0, kIntervals), 2.0 * *kOptions.max_facet_distance);
-    EXPECT_LE(largest_distance_from_points(sample_surface(oracle, kSamples, random), mesh),
-              2.0 * *kOptions.max_facet_distance);
+    expect_shape(mesh, kDoubleTorusOptions);
+    expect_measures(mesh, oracle);
+    expect_size_to_bound_distance(mesh, largest_curvature_of(double_torus, oracle), kDoubleTorusOptions);
+    expect_distances(mesh, oracle, *kDoubleTorusOptions.max_facet_distance, 4);
 }
 
 //! The signal of Marschner and Lobb, as steep as a distance along z, cut out by a ball whose rim is rounded:
@@ -195,8 +231,9 @@ LevelFunction smooth_marschner_lobb(const Point3& center)
     };
 }
 
+//! The ripples curve by at most about 17.4, so the size bounds the distance: 17.4 * 0.095^2 / 2 < 0.08.
 constexpr MeshingOptions kMarschnerLobbOptions{
-    .max_facet_radius = 0.6, .max_facet_distance = 0.04, .floor_radius = 0.05, .reach_lower_bound = 0.3};
+    .max_facet_radius = 0.095, .max_facet_distance = 0.08, .floor_radius = 0.03, .reach_lower_bound = 0.3};
 
 TEST(Phantom, the_marschner_lobb_signal)
 {
@@ -209,11 +246,9 @@ TEST(Phantom, the_marschner_lobb_signal)
     const TriangleMesh mesh = mesh_surface(oracle, kMarschnerLobbOptions).mesh;
     expect_topology(mesh, truth);
     expect_shape(mesh, kMarschnerLobbOptions);
-
-    Random random(5);
-    const double bound = 2.0 * *kMarschnerLobbOptions.max_facet_distance;
-    EXPECT_LE(largest_distance_from_faces(mesh, oracle, 1.0, kIntervals), bound);
-    EXPECT_LE(largest_distance_from_points(sample_surface(oracle, kSamples, random), mesh), bound);
+    expect_measures(mesh, oracle);
+    expect_size_to_bound_distance(mesh, largest_curvature_of(signal, oracle), kMarschnerLobbOptions);
+    expect_distances(mesh, oracle, *kMarschnerLobbOptions.max_facet_distance, 5);
 }
 
 TEST(Phantom, the_marschner_lobb_signal_closed_by_its_box)
@@ -277,22 +312,22 @@ TEST(SampledPhantom, a_torus)
 TEST(SampledPhantom, a_double_torus)
 {
     const LevelFunction double_torus = double_torus_phantom({12, 8, 4}, 10.0);
-    const auto oracle = sampled(double_torus, {49, 33, 17}, {0.5, 0.5, 0.5});
-    const TriangleMesh mesh = mesh_surface(*oracle, kOptions).mesh;
+    const auto oracle = sampled(double_torus, {193, 129, 65}, {0.125, 0.125, 0.125});
+    const TriangleMesh mesh = mesh_surface(*oracle, kDoubleTorusOptions).mesh;
     expect_topology(mesh, {.components = 1, .euler_characteristic = -2});
-    Random random(6);
-    EXPECT_LE(largest_distance_from_points(sample_surface(*oracle, kSamples, random), mesh),
-              2.0 * *kOptions.max_facet_distance);
+    expect_shape(mesh, kDoubleTorusOptions);
+    expect_measures(mesh, *oracle);
+    expect_distances(mesh, *oracle, *kDoubleTorusOptions.max_facet_distance, 6);
 }
 
 TEST(SampledPhantom, the_marschner_lobb_signal)
 {
-    const auto oracle = sampled(smooth_marschner_lobb({6, 6, 6}), {97, 97, 97}, {0.125, 0.125, 0.125});
+    const auto oracle = sampled(smooth_marschner_lobb({6, 6, 6}), {193, 193, 193}, {0.0625, 0.0625, 0.0625});
     const TriangleMesh mesh = mesh_surface(*oracle, kMarschnerLobbOptions).mesh;
     expect_topology(mesh, {.components = 1, .euler_characteristic = 2});
-    Random random(7);
-    EXPECT_LE(largest_distance_from_points(sample_surface(*oracle, kSamples, random), mesh),
-              2.0 * *kMarschnerLobbOptions.max_facet_distance);
+    expect_shape(mesh, kMarschnerLobbOptions);
+    expect_measures(mesh, *oracle);
+    expect_distances(mesh, *oracle, *kMarschnerLobbOptions.max_facet_distance, 7);
 }
 
 } // namespace
