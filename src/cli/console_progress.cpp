@@ -88,14 +88,16 @@ std::string bar_text(const ProgressReport& report)
 class BarProgress final : public PacedProgress
 {
 public:
-    BarProgress() = default;
+    BarProgress() { set_bar_shown(true); }
     BarProgress(const BarProgress&) = delete;
     BarProgress& operator=(const BarProgress&) = delete;
-    ~BarProgress() override { std::cerr << kWipe << std::flush; }
+    ~BarProgress() override
+    {
+        std::cerr << kWipeLine << std::flush;
+        set_bar_shown(false);
+    }
 
 private:
-    static constexpr const char* kWipe = "\r\x1b[K";
-
     void print(const ProgressReport& report, double vertices_per_second, double /*seconds*/) override
     {
         std::string line = bar_text(report) + ' ' + std::string(report.phase);
@@ -103,7 +105,7 @@ private:
             line += "  " + count_text(report.vertices) + " vertices, " + count_text(report.bad_facets_left) +
                     " bad facets left, " + count_text(static_cast<std::size_t>(vertices_per_second)) + "/s";
         line.resize(std::min(line.size(), terminal_width() - 1)); // a wrapped line could not be wiped
-        std::cerr << kWipe << line << std::flush;
+        std::cerr << kWipeLine << line << std::flush;
     }
 };
 

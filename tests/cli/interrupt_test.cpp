@@ -24,6 +24,7 @@ TEST_P(InterruptTest, ends_with_130_and_leaves_no_file)
     const auto outcome = program::run_and_signal(mesh_ball("out.stl", kLongRun), GetParam(), refines);
     EXPECT_EQ(outcome.status, 130) << outcome.err;
     EXPECT_NE(outcome.err.find("voroprobe: error: interrupted"), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find("\n\n"), std::string::npos) << "an empty line in " << outcome.err;
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(folder_.names(), (std::vector<std::string>{"ball.mha"}));
 }
