@@ -18,6 +18,13 @@ bool is_inside(double sample, double isovalue, InsideIs inside)
     return std::isfinite(sample) && (inside == InsideIs::kAbove ? sample >= isovalue : sample <= isovalue);
 }
 
+void require_a_number(std::size_t sample_count, const VolumeStatistics& statistics)
+{
+    if (statistics.nan_count + statistics.infinite_count == sample_count)
+        throw EmptySurfaceError("no surface: all " + count_text(sample_count) +
+                                " samples are NaN or infinite");
+}
+
 [[noreturn]] void throw_no_surface(double isovalue, const VolumeStatistics& statistics)
 {
     const auto automatic = automatic_isovalue(statistics);
@@ -27,13 +34,6 @@ bool is_inside(double sample, double isovalue, InsideIs inside)
     throw EmptySurfaceError("no surface at isovalue " + number_text(isovalue) + ": the samples range from " +
                             number_text(statistics.min) + " to " + number_text(statistics.max) + "; " +
                             advice);
-}
-
-[[noreturn]] void throw_nothing_to_separate(std::size_t sample_count, const VolumeStatistics& statistics)
-{
-    if (statistics.nan_count + statistics.infinite_count == sample_count)
-        throw EmptySurfaceError("no surface: none of the samples is a finite number");
-    throw EmptySurfaceError("no surface: all samples equal " + number_text(statistics.min));
 }
 
 } // namespace
@@ -56,6 +56,7 @@ bool separates(double isovalue, InsideIs inside, double min, double max)
 IsovalueChoice choose_isovalue(const std::optional<double>& asked, InsideIs inside, const Volume& volume,
                                const VolumeStatistics& statistics)
 {
+    require_a_number(volume.geometry.sample_count(), statistics);
     if (asked)
     {
         if (!separates(*asked, inside, statistics.min, statistics.max))
@@ -68,7 +69,7 @@ IsovalueChoice choose_isovalue(const std::optional<double>& asked, InsideIs insi
             " whole numbers, neighbours mostly equal): give --isovalue, 0.5 for everything that is not 0");
     const auto automatic = automatic_isovalue(statistics);
     if (!automatic)
-        throw_nothing_to_separate(volume.geometry.sample_count(), statistics);
+        throw EmptySurfaceError("no surface: all samples equal " + number_text(statistics.min));
     return *automatic;
 }
 

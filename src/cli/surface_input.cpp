@@ -5,6 +5,7 @@
 
 #include "cli/label_map.h"
 #include "cli/number_text.h"
+#include "cli/warnings.h"
 #include "oracles/vdb_oracle.h"
 #include "support/error.h"
 
@@ -32,12 +33,32 @@ constexpr const char* kInterpolatedLabelsWarning =
     "this looks like a label map, and labels are interpolated like measurements: a mask (1 where there is "
     "any label, else 0) at --isovalue 0.5 gives a smoother surface with far fewer specks";
 
+//! Where there is no isovalue, the warnings are printed first: they may tell why.
+IsovalueChoice choose_or_warn(const SurfaceRequest& request, InsideIs inside, const Volume& volume,
+                              const VolumeStatistics& statistics, const std::vector<std::string>& warnings)
+{
+    try
+    {
+        return choose_isovalue(request.isovalue, inside, volume, statistics);
+    }
+    catch (const EmptySurfaceError&)
+    {
+        print_warnings(warnings);
+        throw;
+    }
+}
+
 SurfaceInput load_volume_surface(const SurfaceRequest& request)
 {
     ReadVolume read = read_volume(request.path, request.read);
     const auto volume = std::make_shared<const Volume>(std::move(read.volume));
     const VolumeStatistics statistics = compute_statistics(*volume);
     const InsideIs inside = request.inside.value_or(InsideIs::kAbove);
+
+    std::vector<std::string> warnings = std::move(read.warnings);
+    for (std::string& warning : non_finite_warnings(statistics))
+        warnings.push_back(std::move(warning));
+    const IsovalueChoice isovalue = choose_or_warn(request, inside, *volume, statistics, warnings);
 
     const GridPlacement placement{volume->geometry.world_from_grid, volume->geometry.source_index_from_grid};
     SurfaceInput input{.oracle = nullptr,
@@ -47,11 +68,9 @@ SurfaceInput load_volume_surface(const SurfaceRequest& request)
                        .stored_type = std::move(read.stored_type),
                        .min = statistics.min,
                        .max = statistics.max,
-                       .isovalue = choose_isovalue(request.isovalue, inside, *volume, statistics),
+                       .isovalue = isovalue,
                        .inside = inside,
-                       .warnings = std::move(read.warnings)};
-    for (std::string& warning : non_finite_warnings(statistics))
-        input.warnings.push_back(std::move(warning));
+                       .warnings = std::move(warnings)};
     if (request.isovalue && looks_like_label_map(*volume, statistics))
         input.warnings.emplace_back(kInterpolatedLabelsWarning);
     const double border_share = border_share_inside(*volume, input.isovalue.value, inside);

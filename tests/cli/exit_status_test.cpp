@@ -88,7 +88,18 @@ TEST_F(ExitStatusTest, a_volume_without_numbers_is_4)
     Phantom nothing = ball_phantom();
     nothing.field = [](const Point3&) { return std::numeric_limits<double>::quiet_NaN(); };
     write_phantom(nothing, folder_ / "nothing.mha");
-    EXPECT_EQ(run({"mesh", folder_ / "nothing.mha", "-o", folder_ / "out.stl"}).status, 4);
+    for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--isovalue", "1"}})
+    {
+        std::vector<std::string> arguments{"mesh", folder_ / "nothing.mha", "-o", folder_ / "out.stl"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.status, 4);
+        const std::size_t warning = outcome.err.find("voroprobe: warning: ");
+        const std::size_t error = outcome.err.find("voroprobe: error: no surface: all ");
+        EXPECT_NE(outcome.err.find(" samples are NaN or infinite\n"), std::string::npos) << outcome.err;
+        EXPECT_LT(warning, error) << outcome.err;
+        EXPECT_NE(error, std::string::npos) << outcome.err;
+    }
 }
 
 TEST_F(ExitStatusTest, a_spent_budget_is_6_and_the_partial_mesh_is_written_and_flagged)
