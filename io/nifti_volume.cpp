@@ -121,12 +121,23 @@ SampleEncoding encoding(const Header& header)
     return encoding;
 }
 
+std::vector<std::string> scaling_warnings(const Header& header)
+{
+    const auto slope = header.at<float>(kSclSlope);
+    const auto intercept = header.at<float>(kSclInter);
+    if (std::isfinite(slope) && (std::isfinite(intercept) || slope == 0.0F))
+        return {};
+    return {"the header scales the samples by " + std::to_string(slope) + " and adds " +
+            std::to_string(intercept) + ": ignored, they are taken as stored"};
+}
+
+//! False where the size of a voxel along an axis is 0, NaN or infinite.
 bool gives_spacing(const Header& header)
 {
     for (std::size_t axis = 1; axis <= 3; ++axis)
-        if (header.at<float>(kPixdim + 4 * axis) != 0.0F)
-            return true;
-    return false;
+        if (const auto size = header.at<float>(kPixdim + 4 * axis); size == 0.0F || !std::isfinite(size))
+            return false;
+    return true;
 }
 
 double unit_in_mm(const Header& header)
@@ -224,7 +235,7 @@ StoredVolume read_nifti(const std::filesystem::path& path, const ReadOptions& op
     const ByteSource source = frame_source(path, header, frame * frame_bytes);
     require_bytes(source, frame_bytes);
 
-    StoredVolume volume{.lattice = {.size = {}}, .format = "NIfTI"};
+    StoredVolume volume{.lattice = {.size = {}}, .format = "NIfTI", .warnings = scaling_warnings(header)};
     read_lattice(path, header, size, volume);
     volume.stored_type = stored_type_name(sample_encoding.type);
     volume.has_spacing = gives_spacing(header);

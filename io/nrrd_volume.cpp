@@ -1,7 +1,10 @@
 // The format: teem.sourceforge.net/nrrd/format.html. ITK's reader checks lengths and reports errors itself.
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cmath>
+#include <cstdlib>
 #include <sstream>
 
 #include <itkNrrdImageIO.h>
@@ -38,11 +41,41 @@ std::vector<std::string> header_lines(const std::filesystem::path& path)
     return lines;
 }
 
+//! What follows "name:"; empty where the field is missing.
+std::string field(const std::vector<std::string>& lines, const std::string& name)
+{
+    for (const std::string& line : lines)
+        if (line.starts_with(name + ':'))
+            return line.substr(name.size() + 1);
+    return {};
+}
+
+//! False also where the spacing along an axis of space is "nan", which stands for unknown.
 bool gives_spacing(const std::vector<std::string>& lines)
 {
-    return std::any_of(lines.begin(), lines.end(),
-                       [](const std::string& line)
-                       { return line.starts_with("spacings:") || line.starts_with("space directions:"); });
+    if (!field(lines, "space directions").empty())
+        return true;
+    std::istringstream words(field(lines, "spacings"));
+    std::size_t known = 0;
+    for (std::string word; known < 3 && words >> word; ++known)
+        if (!std::isfinite(std::strtod(word.c_str(), nullptr)))
+            return false;
+    return known > 0;
+}
+
+//! Of units ("mm" "mm" "mm") other than mm; none where they are unknown.
+std::vector<std::string> unit_warnings(const std::vector<std::string>& lines)
+{
+    constexpr std::array<std::string_view, 7> kNoOther{
+        "", "???", "mm", "millimeter", "millimeters", "millimetre", "millimetres"};
+    const std::string units = field(lines, "space units");
+    std::istringstream quoted(units);
+    std::string unit;
+    while (std::getline(quoted, unit, '"') && std::getline(quoted, unit, '"'))
+        if (std::find(kNoOther.begin(), kNoOther.end(), unit) == kNoOther.end())
+            return {"the header gives the space unit \"" + unit +
+                    "\": its lengths are taken for mm, --spacing x,y,z sets the voxel size"};
+    return {};
 }
 
 //! Refuses an attached header without enough bytes behind it for its samples, whatever the encoding, before
@@ -77,6 +110,8 @@ StoredVolume read_nrrd(const std::filesystem::path& path, const ReadOptions& opt
     StoredVolume volume{.lattice = itk_lattice(*image_io), .format = "NRRD"};
     volume.stored_type = stored_type_name(itk_stored_type(*image_io));
     volume.has_spacing = gives_spacing(lines);
+    if (!options.spacing)
+        volume.warnings = unit_warnings(lines);
     if (image_io->GetImageSizeInBytes() > 0)
         require_plausible_length(path, lines, *image_io);
     volume.samples = read_itk_samples(*image_io, options.frame);

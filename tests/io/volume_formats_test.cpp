@@ -1,6 +1,8 @@
 #include <cmath>
 #include <fstream>
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "volume_expectations.h"
@@ -370,9 +372,15 @@ TEST(VolumeFormats, a_missing_spacing_is_told_and_can_be_given)
     std::vector<std::string> pages;
     for (std::size_t page = 0; page < 4; ++page)
         pages.push_back(bytes.substr(30 * page, 30));
+    constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
     const std::vector<std::pair<std::string, std::string>> files{
         {"v.tif", tiff_of({.bits = 8}, pages)},
         {"v.nii", nifti_of({.datatype = 2, .spacing = {0, 0, 0}}, bytes)},
+        {"zero.nii", nifti_of({.datatype = 2, .spacing = {2, 0, 3}}, bytes)},
+        {"nan.nii", nifti_of({.datatype = 2, .spacing = {2, 3, kNan}}, bytes)},
+        {"nan.nrrd",
+         nrrd_of({"type: uchar", "dimension: 3", "sizes: 6 5 4", "spacings: 2 nan 3", "encoding: raw"},
+                 bytes)},
         {"v.nrrd", nrrd_of({"type: uchar", "dimension: 3", "sizes: 6 5 4", "encoding: raw"}, bytes)},
         {"v.mha", "ObjectType = Image\nNDims = 3\nDimSize = 6 5 4\nElementType = MET_UCHAR\nElementDataFile "
                   "= LOCAL\n" +
@@ -394,6 +402,36 @@ TEST(VolumeFormats, a_missing_spacing_is_told_and_can_be_given)
         EXPECT_EQ(given.volume.geometry.spacing, (Vec3{0.5, 0.5, 2})) << name;
     }
     EXPECT_THROW(read_content("v.tif", files.front().second, {.spacing = Vec3{1, 0, 1}}), UsageError);
+}
+
+TEST(VolumeFormats, a_nifti_scaling_that_is_no_number_is_ignored_with_a_warning)
+{
+    const std::string samples = to_bytes(ramp<std::int16_t>(), std::endian::native);
+    for (const float slope :
+         {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()})
+    {
+        const ReadVolume read = read_content("v.nii", nifti_of({.slope = slope, .intercept = 3}, samples));
+        ASSERT_EQ(read.warnings.size(), 1U);
+        expect_has(read.warnings.front(), "taken as stored");
+        EXPECT_EQ(read.volume.at(1, 0, 0), read_content("w.nii", nifti_of({}, samples)).volume.at(1, 0, 0));
+    }
+}
+
+TEST(VolumeFormats, a_nrrd_file_in_another_unit_than_mm_is_warned_of)
+{
+    const auto with_units = [](const std::string& units)
+    {
+        return nrrd_of({"type: uchar", "dimension: 3", "space: left-posterior-superior", "sizes: 6 5 4",
+                        "space directions: (2,0,0) (0,3,0) (0,0,4)", "space units: " + units,
+                        "space origin: (0,0,0)", "encoding: raw"},
+                       std::string(120, 'x'));
+    };
+    const std::string microns = with_units("\"um\" \"um\" \"um\"");
+    const ReadVolume read = read_content("v.nrrd", microns);
+    ASSERT_EQ(read.warnings.size(), 1U);
+    expect_has(read.warnings.front(), "\"um\"");
+    EXPECT_TRUE(read_content("v.nrrd", microns, {.spacing = Vec3{1, 1, 1}}).warnings.empty());
+    EXPECT_TRUE(read_content("v.nrrd", with_units("\"mm\" \"mm\" \"mm\"")).warnings.empty());
 }
 
 TEST(VolumeFormats, given_spacing_overrides_that_of_the_file)
