@@ -9,19 +9,11 @@
 
 #include "oracles/grid_walk.h"
 #include "oracles/surface_oracle.h"
+#include "volume/lattice_frame.h"
 #include "volume/trilinear_cell.h"
 
 namespace voroprobe
 {
-
-//! Where the samples of a lattice lie in the oracle's frame: sample (i, j, k), counted from 0, at first +
-//! step .* (i, j, k).
-struct LatticeFrame
-{
-    std::array<int, 3> sample_count; //!< at least 2
-    Vec3 step;                       //!< scan units, not 0; negative where an index runs backwards
-    Point3 first;
-};
 
 //! How a LatticeOracle reads samples. Made anew for each call, so that it may hold a cache.
 template <class R>

@@ -7,7 +7,7 @@
 #include <openvdb/tree/ValueAccessor.h>
 
 #include "oracles/lattice_oracle.h"
-#include "oracles/level.h"
+#include "volume/level.h"
 
 namespace voroprobe
 {

@@ -1,24 +1,13 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "geometry/box3.h"
 #include "geometry/segment3.h"
+#include "volume/region.h"
 
 namespace voroprobe
 {
-
-//! Which part of space a point lies in: positive inside the object, negative outside, never 0. An oracle
-//! without an inventory answers +1 and -1; one with an inventory the region's id.
-using Region = std::int32_t;
-
-inline constexpr Region kOuterRegion = -1; //!< everything beyond the domain
-
-inline bool is_inside(Region region)
-{
-    return region > 0;
-}
 
 //! A point where a segment changes side.
 struct Crossing
@@ -58,6 +47,17 @@ public:
 
     //! False only where it is certain that no point of the surface lies in the box.
     [[nodiscard]] virtual bool may_cross(const Box3& box) const = 0;
+
+    //! The surface that separates two regions; kNoSurface where they are no neighbours. Without an inventory
+    //! everything between inside and outside is surface 0.
+    [[nodiscard]] virtual SurfaceId surface_between(Region a, Region b) const
+    {
+        return is_inside(a) != is_inside(b) ? 0 : kNoSurface;
+    }
+
+    //! The surface that passes through a crossing found by find_crossings(); kNoSurface where rounding hides
+    //! it.
+    [[nodiscard]] virtual SurfaceId surface_at(const Point3& /*crossing*/) const { return 0; }
 };
 
 } // namespace voroprobe

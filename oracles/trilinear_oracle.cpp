@@ -5,8 +5,8 @@
 
 #include "oracles/brick_map.h"
 #include "oracles/lattice_oracle.h"
-#include "oracles/level.h"
 #include "support/error.h"
+#include "volume/level.h"
 
 namespace voroprobe
 {

@@ -3,17 +3,11 @@
 #include <memory>
 
 #include "oracles/surface_oracle.h"
+#include "volume/level.h"
 #include "volume/volume.h"
 
 namespace voroprobe
 {
-
-//! Which side of the isovalue is the object.
-enum class InsideIs
-{
-    kAbove, //!< inside: sample >= isovalue (CT, labels, fog volumes)
-    kBelow  //!< inside: sample <= isovalue (signed distances)
-};
 
 //! The exact isosurface of the trilinear interpolant of a volume, closed by the faces of the volume's box;
 //! frame: grid.

@@ -12,10 +12,11 @@ MAY_INCLUDE = {
     "src/mesh": ["src/geometry"],
     "oracles": ["src/volume"],
     "src/mesher": ["oracles/surface_oracle.h", "src/mesh"],
+    "src/certificate": ["oracles/surface_oracle.h", "src/mesh", "src/volume"],
     "io": ["src/volume", "src/mesh"],
     "src/postprocess": ["oracles/surface_oracle.h", "src/mesh"],
     "src/compare": ["src/mesh", "src/volume", "src/postprocess"],
-    "src/cli": ["src/volume", "oracles", "src/mesher", "io", "src/postprocess", "src/compare"],
+    "src/cli": ["src/volume", "oracles", "src/mesher", "io", "src/certificate", "src/postprocess", "src/compare"],
 }
 
 # Third party: how its headers begin, and the folders whose files may name it.
@@ -27,8 +28,8 @@ THIRD_PARTIES = {
     "VTK": (("vtk",), ["io", "src/compare"]),
     "libtiff": (("tiffio.h",), ["io"]),
     "zlib": (("zlib.h",), ["io"]),
-    "CGAL": (("CGAL/", "boost/"), ["src/mesher", "src/compare"]),
-    "TBB": (("tbb/", "oneapi/tbb"), ["src/mesher"]),
+    "CGAL": (("CGAL/", "boost/"), ["src/mesher", "src/certificate", "src/compare"]),
+    "TBB": (("tbb/", "oneapi/tbb"), ["src/volume", "src/mesher", "src/certificate"]),
     "CLI11": (("CLI/",), ["src/cli"]),
     "nlohmann-json": (("nlohmann/",), ["src/cli", "src/compare"]),
 }

@@ -5,10 +5,15 @@
 #include <cstddef>
 #include <limits>
 
-#include "oracles/trilinear_oracle.h"
-
 namespace voroprobe
 {
+
+//! Which side of the isovalue is the object.
+enum class InsideIs
+{
+    kAbove, //!< inside: sample >= isovalue (CT, labels, fog volumes)
+    kBelow  //!< inside: sample <= isovalue (signed distances)
+};
 
 //! The field whose zero set is the surface: positive inside, negative outside, zero at no sample (see
 //! LevelSurvey).
