@@ -18,11 +18,6 @@ std::string printed(const char* format, double value)
 
 } // namespace
 
-std::string number_text(double value)
-{
-    return printed("%.6g", value == 0.0 ? 0.0 : value); // no "-0"
-}
-
 std::string count_text(std::size_t count)
 {
     std::string digits = std::to_string(count);

@@ -4,12 +4,10 @@
 #include <string>
 
 #include "geometry/vec3.h"
+#include "support/number_text.h"
 
 namespace voroprobe
 {
-
-//! A number for people: six significant digits, no trailing zeros ("0.375", "1150.5", "3.2e+07").
-std::string number_text(double value);
 
 //! A count with thousands marked: "1,234,567".
 std::string count_text(std::size_t count);

@@ -13,6 +13,7 @@
 #include "mesher/restricted_delaunay.h"
 #include "mesher/surface_extraction.h"
 #include "support/error.h"
+#include "support/number_text.h"
 #include "support/stopwatch.h"
 
 namespace voroprobe
@@ -88,7 +89,7 @@ private:
 void require(bool condition, const std::string& name, double value, const std::string& range)
 {
     if (!condition)
-        throw UsageError(name + " is " + std::to_string(value) + "; it must be " + range);
+        throw UsageError(name + " is " + number_text(value) + "; it must be " + range);
 }
 
 void check_options(const MeshingOptions& options)

@@ -12,6 +12,7 @@ TEST(NumberText, has_six_digits_and_no_minus_zero)
     EXPECT_EQ(number_text(0.375), "0.375");
     EXPECT_EQ(number_text(1150.5), "1150.5");
     EXPECT_EQ(number_text(-0.0), "0");
+    EXPECT_EQ(number_text(1e-9), "1e-09");
     EXPECT_EQ(number_text(1.0 / 3.0), "0.333333");
 }
 
