@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "geometry/box3.h"
@@ -58,6 +60,26 @@ public:
     //! The surface that passes through a crossing found by find_crossings(); kNoSurface where rounding hides
     //! it.
     [[nodiscard]] virtual SurfaceId surface_at(const Point3& /*crossing*/) const { return 0; }
+
+    //! Surfaces that the inventory lists: their ids run below this. 0: there is no inventory, and the
+    //! functions below are not to be called.
+    [[nodiscard]] virtual std::size_t surface_count() const { return 0; }
+
+    //! The regions that a surface separates.
+    [[nodiscard]] virtual SurfaceSides sides(SurfaceId /*surface*/) const { return {1, kOuterRegion}; }
+
+    //! The surface that bounds a region towards the outer region; kNoSurface for the outer region itself.
+    [[nodiscard]] virtual SurfaceId surface_around(Region region) const
+    {
+        return region == kOuterRegion ? kNoSurface : 0;
+    }
+
+    //! For each of the surfaces up to `most` of its points, spread over it.
+    [[nodiscard]] virtual std::vector<std::vector<Point3>> points_on(std::span<const SurfaceId> surfaces,
+                                                                     std::size_t /*most*/) const
+    {
+        return std::vector<std::vector<Point3>>(surfaces.size());
+    }
 };
 
 } // namespace voroprobe

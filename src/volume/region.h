@@ -21,4 +21,11 @@ using SurfaceId = std::int32_t;
 
 inline constexpr SurfaceId kNoSurface = -1;
 
+//! The two regions that a surface separates; one of them lies within the other.
+struct SurfaceSides
+{
+    Region inside;
+    Region outside;
+};
+
 } // namespace voroprobe
