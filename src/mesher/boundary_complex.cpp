@@ -1,6 +1,7 @@
 #include "mesher/boundary_complex.h"
 
 #include <limits>
+#include <optional>
 
 #include "support/check.h"
 #include "support/union_find.h"
@@ -61,7 +62,7 @@ std::uint32_t next_odd_facet(DelaunayCell start, int entered_at, VertexHandle a,
 class EdgePairing
 {
 public:
-    explicit EdgePairing(const SurfaceOracle& oracle) : oracle_(oracle) {}
+    explicit EdgePairing(const RestrictedDelaunay& restricted) : restricted_(restricted) {}
 
     [[nodiscard]] std::uint32_t partner_across(const BoundaryFace& face, VertexHandle a, VertexHandle b) const
     {
@@ -72,11 +73,11 @@ public:
         const std::uint32_t through_outside = next_odd_facet(outside, outside->index(face.inside), a, b);
         if (through_inside == through_outside)
             return through_inside;
-        return joined_at_edge(oracle_, a, b) ? through_outside : through_inside;
+        return joined_at_edge(restricted_, face.inside, a, b) ? through_outside : through_inside;
     }
 
 private:
-    const SurfaceOracle& oracle_;
+    const RestrictedDelaunay& restricted_;
 };
 
 std::uint32_t corner_number(const std::vector<BoundaryFace>& faces, std::uint32_t face, VertexHandle vertex)
@@ -96,7 +97,7 @@ std::vector<std::uint32_t> pair_half_edges(const RestrictedDelaunay& restricted,
                                            const std::vector<BoundaryFace>& faces)
 {
     std::vector<std::uint32_t> partners(3 * faces.size(), kUnnumbered);
-    const EdgePairing pairing(restricted.oracle());
+    const EdgePairing pairing(restricted);
     for (std::uint32_t half_edge = 0; half_edge < partners.size(); ++half_edge)
     {
         if (partners[half_edge] != kUnnumbered)
@@ -130,9 +131,23 @@ UnionFind join_corners(const std::vector<BoundaryFace>& faces, const std::vector
 
 } // namespace
 
-bool joined_at_edge(const SurfaceOracle& oracle, VertexHandle a, VertexHandle b)
+bool joined_at_edge(const RestrictedDelaunay& restricted, DelaunayCell delaunay_cell, VertexHandle a,
+                    VertexHandle b)
 {
-    return is_inside(oracle.region(0.5 * (position(a) + position(b))));
+    std::optional<Region> inner;
+    std::optional<Region> outer;
+    const auto first = restricted.triangulation().incident_cells(delaunay_cell, delaunay_cell->index(a),
+                                                                 delaunay_cell->index(b));
+    auto around = first;
+    do
+    {
+        const Region region = around->info().region;
+        std::optional<Region>& same_side = is_inside(region) ? inner : outer;
+        if (same_side && *same_side != region)
+            return !is_inside(region);
+        same_side = region;
+    } while (++around != first);
+    return is_inside(restricted.oracle().region(0.5 * (position(a) + position(b))));
 }
 
 BoundaryComplex collect_boundary(const RestrictedDelaunay& restricted)

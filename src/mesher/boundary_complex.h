@@ -31,9 +31,11 @@ struct BoundaryComplex
     std::vector<VertexHandle> vertex_of_copy;  //!< for each mesh vertex its own; null for one inside an edge
 };
 
-//! Whether the inside parts that meet at a pinched edge are one there: its middle lies inside. Otherwise the
-//! outside parts are.
-bool joined_at_edge(const SurfaceOracle& oracle, VertexHandle a, VertexHandle b);
+//! Whether the inside parts that meet at a pinched edge are one there; otherwise the outside parts are.
+//! Different regions are never one; for the rest the side that holds the middle of the edge decides.
+//! `delaunay_cell`: any that has the edge.
+bool joined_at_edge(const RestrictedDelaunay& restricted, DelaunayCell delaunay_cell, VertexHandle a,
+                    VertexHandle b);
 
 //! The corners of the facet opposite each vertex of a positively oriented tetrahedron, counter-clockwise seen
 //! from outside it.

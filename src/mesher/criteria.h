@@ -18,9 +18,10 @@ enum class Badness : std::uint8_t
     kDistance,   //!< circumcenter too far from the center of the surface Delaunay ball
     kAngle,      //!< smallest angle below the bound
     kUnresolved, //!< its dual edge crosses the surface more than once
+    kUnfaithful, //!< its vertices lie on another surface than the one between the regions of its cells
     kPinched     //!< the largest around a vertex whose odd facets are not one umbrella (check_umbrellas)
 };
-inline constexpr std::size_t kBadnessCount = 5;
+inline constexpr std::size_t kBadnessCount = 6;
 
 //! The criteria of Feree & Alliez 2009, Definition 8, in a form without roots or trigonometry. The bounds are
 //! squared once.

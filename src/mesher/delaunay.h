@@ -31,6 +31,7 @@ enum class VertexOrigin : std::uint8_t
     kSentinel,       //!< far beyond the domain; makes every dual edge a segment
     kProbe,          //!< hit by probe()
     kInitialization, //!< second or third point of initialize_component()
+    kInventory,      //!< on a surface that had no facet
     kRefinement      //!< center of a bad facet's surface Delaunay ball
 };
 
@@ -39,7 +40,8 @@ inline constexpr int kSentinelCount = 4;
 
 struct VertexData
 {
-    std::uint32_t index = 0; //!< in order of insertion, sentinels first
+    std::uint32_t index = 0;        //!< in order of insertion, sentinels first
+    SurfaceId surface = kNoSurface; //!< that the vertex lies on
     VertexOrigin origin = VertexOrigin::kRefinement;
     std::uint8_t initializations = 0; //!< times initialize_component() was called for it
     bool pinched = true;              //!< its odd facets were not one umbrella, or none, when last looked at
@@ -49,7 +51,8 @@ struct VertexData
 struct DelaunayCellData
 {
     Point3 circumcenter;          //!< the dual Voronoi vertex
-    Region region = kOuterRegion; //!< of the circumcenter
+    Region region = kOuterRegion; //!< of the circumcenter, until repaired
+    std::uint32_t component = 0;  //!< scratch of find_region_components()
     std::array<FacetId, 4> facet{kNoFacet, kNoFacet, kNoFacet,
                                  kNoFacet}; //!< restricted facet opposite each vertex
 };

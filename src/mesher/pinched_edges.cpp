@@ -160,15 +160,15 @@ Displacement split_wedge(BoundaryComplex& complex, FaceCutter& cutter, const Pin
 
 } // namespace
 
-std::vector<Displacement> split_pinched_edges(const SurfaceOracle& oracle, BoundaryComplex& complex)
+std::vector<Displacement> split_pinched_edges(const RestrictedDelaunay& restricted, BoundaryComplex& complex)
 {
     std::vector<Displacement> moves;
     FaceCutter cutter(complex);
     for (const PinchedEdge& edge : find_pinched_edges(complex))
     {
         std::vector<Wedge> wedges;
-        const bool joined =
-            joined_at_edge(oracle, complex.vertex_of_copy[edge.a], complex.vertex_of_copy[edge.b]);
+        const bool joined = joined_at_edge(restricted, complex.faces[edge.half_edges.front() / 3].inside,
+                                           complex.vertex_of_copy[edge.a], complex.vertex_of_copy[edge.b]);
         for (const std::uint32_t half_edge : edge.half_edges)
             wedges.push_back(measure_wedge(complex, half_edge, !joined));
         std::sort(wedges.begin(), wedges.end(),

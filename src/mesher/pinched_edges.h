@@ -27,6 +27,6 @@ struct Displacement
 //! them several times at both ends: of the wedges at such an edge all but the widest get a middle
 //! vertex of their own, to be moved into the wedge. Afterwards every edge has exactly two faces. Returns the
 //! moves. Cost: O(faces).
-std::vector<Displacement> split_pinched_edges(const SurfaceOracle& oracle, BoundaryComplex& complex);
+std::vector<Displacement> split_pinched_edges(const RestrictedDelaunay& restricted, BoundaryComplex& complex);
 
 } // namespace voroprobe

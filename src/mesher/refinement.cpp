@@ -34,6 +34,8 @@ void Refinement::judge_changed_facets()
         const RestrictedFacet& facet = restricted_.facet(id);
         if (const auto badness = criteria_.badness(facet, restricted_.corners(facet)))
             bad_facets_.push(id, facet.generation, *badness);
+        else if (facet.odd() && !criteria_.at_floor(facet) && !restricted_.is_faithful(facet))
+            bad_facets_.push(id, facet.generation, Badness::kUnfaithful);
     }
 }
 

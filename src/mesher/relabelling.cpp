@@ -44,6 +44,23 @@ double least_altitude(const std::array<Point3, 4>& p)
     return largest_two_areas > 0.0 ? six_volumes / largest_two_areas : 0.0;
 }
 
+//! The region on the other side of a cell's odd facets; nullopt where a third region touches the cell.
+std::optional<Region> region_across(DelaunayCell delaunay_cell)
+{
+    const Region own = delaunay_cell->info().region;
+    std::optional<Region> across;
+    for (int i = 0; i < 4; ++i)
+    {
+        const Region next = delaunay_cell->neighbor(i)->info().region;
+        if (next == own)
+            continue;
+        if (is_inside(next) == is_inside(own) || (across && *across != next))
+            return std::nullopt;
+        across = next;
+    }
+    return across;
+}
+
 //! Which cells at a pinched edge may change sides.
 enum class Cells
 {
@@ -92,7 +109,7 @@ private:
         {
             for (const DelaunayCell delaunay_cell : cells_around(vertex))
             {
-                if (count_odd_facets(delaunay_cell) != 4 ||
+                if (count_odd_facets(delaunay_cell) != 4 || !region_across(delaunay_cell) ||
                     least_altitude(corner_positions(delaunay_cell)) > floor_)
                     continue;
                 bool touches_everywhere = true;
@@ -100,7 +117,7 @@ private:
                     touches_everywhere = link_of(delaunay_cell->vertex(i)).nodes.size() > 3;
                 if (!touches_everywhere)
                     continue;
-                change_side(delaunay_cell);
+                delaunay_cell->info().region = *region_across(delaunay_cell);
                 ++changed;
             }
         }
@@ -143,7 +160,11 @@ private:
         {
             if (link.degrees[n] <= 2)
                 continue;
-            const bool joined = joined_at_edge(restricted_.oracle(), vertex, link.nodes[n]);
+            const auto& around = cells_around(vertex);
+            const auto with_edge = std::find_if(around.begin(), around.end(),
+                                                [&](DelaunayCell delaunay_cell)
+                                                { return delaunay_cell->has_vertex(link.nodes[n]); });
+            const bool joined = joined_at_edge(restricted_, *with_edge, vertex, link.nodes[n]);
             for (const DelaunayCell delaunay_cell : cells_around(vertex))
             {
                 if (!delaunay_cell->has_vertex(link.nodes[n]) ||
@@ -157,7 +178,7 @@ private:
         }
         if (!best)
             return {};
-        change_side(best->second);
+        best->second->info().region = *region_across(best->second);
         for (int i = 0; i < 4; ++i)
             best->second->vertex(i)->info().pinched = true; // as far as is known
         return best->second;
@@ -167,22 +188,17 @@ private:
     [[nodiscard]] bool may_change(DelaunayCell delaunay_cell) const
     {
         const int odd_count = count_odd_facets(delaunay_cell);
-        return (odd_count == 2 || odd_count == 3) &&
+        return (odd_count == 2 || odd_count == 3) && region_across(delaunay_cell) &&
                least_altitude(corner_positions(delaunay_cell)) <= floor_;
     }
 
     int gain_of_change(DelaunayCell delaunay_cell)
     {
         const int before = cost_around(delaunay_cell);
-        change_side(delaunay_cell);
+        const Region own = std::exchange(delaunay_cell->info().region, *region_across(delaunay_cell));
         const int after = cost_around(delaunay_cell);
-        change_side(delaunay_cell);
+        delaunay_cell->info().region = own;
         return before - after;
-    }
-
-    static void change_side(DelaunayCell delaunay_cell)
-    {
-        delaunay_cell->info().region = -delaunay_cell->info().region;
     }
 
     //! Everything that depends on the side of a cell: the links of its vertices and its own facets.

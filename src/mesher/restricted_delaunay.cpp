@@ -94,6 +94,7 @@ VertexHandle RestrictedDelaunay::insert(const Point3& p, DelaunayCell start, Ver
                                                               zone_cells_.end(), begin_cell, begin_index);
     vertex->info().index = static_cast<std::uint32_t>(triangulation_.number_of_vertices() - 1);
     vertex->info().origin = origin;
+    vertex->info().surface = oracle_.surface_at(p);
     ++statistics_.insertions;
 
     // Every boundary facet of the zone now has one new cell on its inner side.
@@ -351,6 +352,25 @@ DelaunayCell RestrictedDelaunay::conflicting_cell(const RestrictedFacet& facet) 
             return side;
     }
     return {};
+}
+
+SurfaceId RestrictedDelaunay::surface(const RestrictedFacet& facet) const
+{
+    return oracle_.surface_between(facet.delaunay_cell->info().region,
+                                   facet.delaunay_cell->neighbor(facet.index)->info().region);
+}
+
+bool RestrictedDelaunay::is_faithful(const RestrictedFacet& facet) const
+{
+    const SurfaceId separating = surface(facet);
+    if (separating == kNoSurface)
+        return false;
+    for (int i = 0; i < 4; ++i)
+    {
+        if (i != facet.index && facet.delaunay_cell->vertex(i)->info().surface != separating)
+            return false;
+    }
+    return true;
 }
 
 std::array<Point3, 3> RestrictedDelaunay::corners(const RestrictedFacet& facet) const

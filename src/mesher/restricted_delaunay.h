@@ -81,6 +81,12 @@ public:
     //! hides both.
     [[nodiscard]] DelaunayCell conflicting_cell(const RestrictedFacet& facet) const;
 
+    //! The surface between the regions of the facet's two cells; kNoSurface where they are no neighbours.
+    [[nodiscard]] SurfaceId surface(const RestrictedFacet& facet) const;
+
+    //! Whether an odd facet lies on one surface: its vertices are on the one that its cells' regions bound.
+    [[nodiscard]] bool is_faithful(const RestrictedFacet& facet) const;
+
     [[nodiscard]] const RestrictedFacet& facet(FacetId id) const { return facets_[id]; }
     RestrictedFacet& facet(FacetId id) { return facets_[id]; }
     [[nodiscard]] std::array<Point3, 3> corners(const RestrictedFacet& facet) const;

@@ -6,8 +6,10 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "mesher/initialization.h"
+#include "mesher/inventory_seeding.h"
 #include "mesher/probing.h"
 #include "mesher/refinement.h"
 #include "mesher/restricted_delaunay.h"
@@ -20,6 +22,10 @@ namespace voroprobe
 {
 namespace
 {
+
+// Points given to a surface without facets, the first time; four times as many each time after.
+constexpr std::size_t kSeedsPerSurface = 32;
+constexpr int kSeedingRounds = 4;
 
 class SeededMesher
 {
@@ -39,6 +45,9 @@ public:
             while (refinement_.status() == MeshingStatus::kDone && initialize_isolated_vertices())
                 refinement_.refine();
         }
+        for (int round = 0; refinement_.status() == MeshingStatus::kDone && seed_missing_surfaces(round);
+             ++round)
+            refinement_.refine();
         return result(); // the branch that probes Voronoi cells is left out: docs/design.md, section 3
     }
 
@@ -68,10 +77,23 @@ private:
         return any;
     }
 
+    //! False when every surface of the inventory has facets, or no more points can be given to those that
+    //! have none.
+    bool seed_missing_surfaces(int round)
+    {
+        if (round == kSeedingRounds)
+            return false;
+        const std::vector<SurfaceId> missing = find_missing_surfaces(restricted_);
+        return seed_surfaces(missing, kSeedsPerSurface << (2 * round), oracle_, refinement_) > 0;
+    }
+
     MeshingResult result()
     {
         MeshingResult result;
-        result.mesh = extract_surface(restricted_, options_, statistics_);
+        ExtractedSurface surface = extract_surface(restricted_, options_, statistics_);
+        result.mesh = std::move(surface.mesh);
+        if (options_.close_border)
+            result.surface_of_face = std::move(surface.surface_of_face);
         statistics_.seconds_refinement = stopwatch_.seconds();
         result.statistics = statistics_;
         result.status = refinement_.status();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "mesh/triangle_mesh.h"
 #include "mesher/meshing_options.h"
@@ -37,6 +38,11 @@ struct MeshingStatistics
     //! Facets whose dual edge crosses the surface more than once in the end: as small as the floor, unless
     //! the run was stopped.
     std::size_t facets_at_floor = 0;
+    //! What repair_regions() did where refinement ended at the floor: Delaunay cells moved to another region,
+    //! pieces of regions dissolved where the region is not, and pieces of one region joined.
+    std::size_t cells_reconciled = 0;
+    std::size_t crumbs_dissolved = 0;
+    std::size_t necks_bridged = 0;
     //! Slivers moved to the other side of the surface to mend a pinched edge, and crumbs dissolved.
     std::size_t cells_relabelled = 0;
     //! Vertices moved by a hair where the surface touched itself.
@@ -51,6 +57,10 @@ struct MeshingResult
 {
     TriangleMesh mesh; //!< oracle frame; closed (but for an open border), oriented outward, 2-manifold, no
                        //!< face crossing another
+
+    //! Of each face the surface of the oracle's inventory it lies on; 0 throughout where there is none.
+    //! Empty where the border is open.
+    std::vector<SurfaceId> surface_of_face;
     MeshingStatistics statistics;
     MeshingStatus status = MeshingStatus::kDone;
 };

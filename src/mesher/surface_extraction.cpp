@@ -9,6 +9,7 @@
 #include "mesher/contact_separation.h"
 #include "mesher/open_border.h"
 #include "mesher/pinched_edges.h"
+#include "mesher/region_repair.h"
 #include "mesher/relabelling.h"
 
 namespace voroprobe
@@ -22,8 +23,32 @@ constexpr double kOnSideInFloors = 0.05;
 
 ContactReport take_apart(const RestrictedDelaunay& restricted, BoundaryComplex& complex)
 {
-    const auto pinched = split_pinched_edges(restricted.oracle(), complex);
+    const auto pinched = split_pinched_edges(restricted, complex);
     return separate_contacts(restricted, complex, pinched);
+}
+
+std::vector<SurfaceId> surfaces_of_faces(const SurfaceOracle& oracle, const BoundaryComplex& complex)
+{
+    std::vector<SurfaceId> surfaces;
+    surfaces.reserve(complex.mesh.faces.size());
+    for (const std::uint32_t origin : complex.origin_of_face)
+    {
+        const BoundaryFace& face = complex.faces[origin];
+        surfaces.push_back(oracle.surface_between(face.inside->info().region,
+                                                  face.inside->neighbor(face.index)->info().region));
+    }
+    return surfaces;
+}
+
+//! The outside region next to a cell, or else next to its region.
+Region region_outside(const SurfaceOracle& oracle, DelaunayCell delaunay_cell)
+{
+    for (int i = 0; i < 4; ++i)
+    {
+        if (separates_sides(delaunay_cell, i))
+            return delaunay_cell->neighbor(i)->info().region;
+    }
+    return oracle.sides(oracle.surface_around(delaunay_cell->info().region)).outside;
 }
 
 //! Gives the Delaunay cells around the vertices to the outside: the surface no longer passes there.
@@ -38,7 +63,7 @@ void carve(const RestrictedDelaunay& restricted, const std::vector<VertexHandle>
         {
             if (!inside(delaunay_cell))
                 continue;
-            delaunay_cell->info().region = kOuterRegion;
+            delaunay_cell->info().region = region_outside(restricted.oracle(), delaunay_cell);
             for (int i = 0; i < 4; ++i)
                 delaunay_cell->vertex(i)->info().pinched = true; // as far as is known
         }
@@ -47,10 +72,14 @@ void carve(const RestrictedDelaunay& restricted, const std::vector<VertexHandle>
 
 } // namespace
 
-TriangleMesh extract_surface(RestrictedDelaunay& restricted, const MeshingOptions& options,
-                             MeshingStatistics& statistics)
+ExtractedSurface extract_surface(RestrictedDelaunay& restricted, const MeshingOptions& options,
+                                 MeshingStatistics& statistics)
 {
     statistics.facets_at_floor = restricted.count_unresolved_facets();
+    const RegionRepairReport repair = repair_regions(restricted);
+    statistics.cells_reconciled = repair.cells_reconciled;
+    statistics.crumbs_dissolved = repair.crumbs_dissolved;
+    statistics.necks_bridged = repair.necks_bridged;
     statistics.cells_relabelled = relabel_pinched_cells(restricted, options);
     BoundaryComplex complex = collect_boundary(restricted);
     ContactReport contacts = take_apart(restricted, complex);
@@ -63,10 +92,11 @@ TriangleMesh extract_surface(RestrictedDelaunay& restricted, const MeshingOption
     }
     statistics.contacts_separated = contacts.separated;
     count_component_origins(complex, restricted.vertex_index_bound(), statistics);
-    TriangleMesh mesh = std::move(complex.mesh);
+    std::vector<SurfaceId> surface_of_face = surfaces_of_faces(restricted.oracle(), complex);
+    ExtractedSurface extracted{std::move(complex.mesh), std::move(surface_of_face)};
     if (!options.close_border)
-        open_border(restricted.oracle().domain(), kOnSideInFloors * options.floor_radius, mesh);
-    return mesh;
+        open_border(restricted.oracle().domain(), kOnSideInFloors * options.floor_radius, extracted.mesh);
+    return extracted;
 }
 
 } // namespace voroprobe

@@ -43,6 +43,12 @@ public:
         }
     }
 
+    [[nodiscard]] DelaunayCell cell_with_edge_to(VertexHandle other) const
+    {
+        return *std::find_if(cells_.begin(), cells_.end(),
+                             [&](DelaunayCell delaunay_cell) { return delaunay_cell->has_vertex(other); });
+    }
+
     std::uint32_t part(DelaunayCell delaunay_cell) { return parts_.find(number(delaunay_cell)); }
 
 private:
@@ -96,7 +102,8 @@ std::vector<UmbrellaSides> find_umbrella_sides(const RestrictedDelaunay& restric
 {
     Sectors sectors(restricted.triangulation(), vertex);
     for (const VertexHandle other : pinched_neighbors(vertex, faces))
-        sectors.join_at_edge(other, joined_at_edge(restricted.oracle(), vertex, other));
+        sectors.join_at_edge(other,
+                             joined_at_edge(restricted, sectors.cell_with_edge_to(other), vertex, other));
 
     // All faces of an umbrella see the same part on either side: one of them speaks for it.
     struct Parts

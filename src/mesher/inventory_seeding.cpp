@@ -1,0 +1,48 @@
+#include "mesher/inventory_seeding.h"
+
+namespace voroprobe
+{
+
+std::vector<SurfaceId> find_missing_surfaces(const RestrictedDelaunay& restricted)
+{
+    std::vector<bool> has_facet(restricted.oracle().surface_count(), false);
+    if (has_facet.empty())
+        return {};
+    for (FacetId id = 0; id < restricted.facet_slots(); ++id)
+    {
+        const RestrictedFacet& facet = restricted.facet(id);
+        if (!facet.odd())
+            continue;
+        const SurfaceId surface = restricted.surface(facet);
+        if (surface != kNoSurface)
+            has_facet[static_cast<std::size_t>(surface)] = true;
+    }
+    std::vector<SurfaceId> missing;
+    for (std::size_t surface = 0; surface < has_facet.size(); ++surface)
+    {
+        if (!has_facet[surface])
+            missing.push_back(static_cast<SurfaceId>(surface));
+    }
+    return missing;
+}
+
+std::size_t seed_surfaces(const std::vector<SurfaceId>& surfaces, std::size_t most,
+                          const SurfaceOracle& oracle, Refinement& refinement)
+{
+    std::size_t inserted = 0;
+    VertexHandle last;
+    for (const std::vector<Point3>& points : oracle.points_on(surfaces, most))
+    {
+        for (const Point3& p : points)
+        {
+            const VertexHandle vertex = refinement.insert(p, VertexOrigin::kInventory, last);
+            if (vertex == VertexHandle())
+                continue; // a vertex already
+            last = vertex;
+            ++inserted;
+        }
+    }
+    return inserted;
+}
+
+} // namespace voroprobe

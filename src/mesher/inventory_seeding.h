@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "mesher/refinement.h"
+#include "mesher/restricted_delaunay.h"
+
+namespace voroprobe
+{
+
+//! The surfaces of the oracle's inventory without a facet of their own; none where there is no inventory.
+//! Cost: O(facets).
+std::vector<SurfaceId> find_missing_surfaces(const RestrictedDelaunay& restricted);
+
+//! Gives each surface up to `most` points, spread over it. Returns the number of points inserted.
+std::size_t seed_surfaces(const std::vector<SurfaceId>& surfaces, std::size_t most,
+                          const SurfaceOracle& oracle, Refinement& refinement);
+
+} // namespace voroprobe

@@ -1,0 +1,330 @@
+#include "mesher/region_repair.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <queue>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "mesher/region_components.h"
+
+namespace voroprobe
+{
+namespace
+{
+
+constexpr int kPasses = 4;                       // each looks at what the one before has changed
+constexpr int kSweeps = 8;                       // of the search for fewer conflicts, in a pass
+constexpr std::size_t kLongestSearch = 50'000;   // Delaunay cells looked at for one bridge
+constexpr double kDiscountInRegion = 1.0 / 32.0; // of the way through a cell that lies in the region
+
+// Order of what is wrong with the region of a cell.
+constexpr int kCostOfConflict = 2;
+constexpr int kCostOfElsewhere = 1;
+
+constexpr auto kNoComponent = std::numeric_limits<std::uint32_t>::max();
+
+Point3 centroid(DelaunayCell delaunay_cell)
+{
+    const auto [a, b, c, d] = corner_positions(delaunay_cell);
+    return 0.25 * (a + b + c + d);
+}
+
+double longest_edge(DelaunayCell delaunay_cell)
+{
+    const std::array<Point3, 4> p = corner_positions(delaunay_cell);
+    double longest = 0.0;
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = i + 1; j < 4; ++j)
+            longest = std::max(longest, squared_distance(p[i], p[j]));
+    return std::sqrt(longest);
+}
+
+class RegionRepair
+{
+public:
+    explicit RegionRepair(RestrictedDelaunay& restricted)
+        : oracle_(restricted.oracle()), triangulation_(restricted.triangulation())
+    {
+    }
+
+    RegionRepairReport run()
+    {
+        for (int pass = 0; pass < kPasses; ++pass)
+        {
+            std::size_t changed = 0;
+            for (int sweep = 0; sweep < kSweeps; ++sweep)
+            {
+                const std::size_t reconciled = reconcile_neighbors();
+                changed += reconciled;
+                report_.cells_reconciled += reconciled;
+                if (reconciled == 0)
+                    break;
+            }
+            if (join_pieces() + changed == 0)
+                break;
+        }
+        return report_;
+    }
+
+private:
+    //! Whether a facet between two regions is one the scan has, or none at all.
+    [[nodiscard]] bool compatible(Region a, Region b) const
+    {
+        return a == b || oracle_.surface_between(a, b) != kNoSurface;
+    }
+
+    [[nodiscard]] Region across(SurfaceId surface, Region region) const
+    {
+        const SurfaceSides sides = oracle_.sides(surface);
+        return sides.inside == region ? sides.outside : sides.inside;
+    }
+
+    //! The region that touches both; nullopt where there is none.
+    [[nodiscard]] std::optional<Region> region_between(Region a, Region b) const
+    {
+        for (const auto& [one, other] : {std::pair{a, b}, std::pair{b, a}})
+        {
+            const SurfaceId around = oracle_.surface_around(one);
+            if (around == kNoSurface)
+                continue;
+            const Region between = across(around, one);
+            if (oracle_.surface_between(between, other) != kNoSurface)
+                return between;
+        }
+        return std::nullopt;
+    }
+
+    [[nodiscard]] int conflicts(DelaunayCell delaunay_cell, Region region) const
+    {
+        int count = 0;
+        for (int i = 0; i < 4; ++i)
+            count += compatible(region, delaunay_cell->neighbor(i)->info().region) ? 0 : 1;
+        return count;
+    }
+
+    //! Gives cells with a facet that the scan does not have the region that leaves fewest such facets. Every
+    //! change lowers the number. Returns the number of cells changed.
+    std::size_t reconcile_neighbors()
+    {
+        std::size_t changed = 0;
+        for (const DelaunayCell delaunay_cell : triangulation_.finite_cell_handles())
+        {
+            const Region own = delaunay_cell->info().region;
+            const int own_conflicts = conflicts(delaunay_cell, own);
+            if (own_conflicts == 0)
+                continue;
+            const Region here = oracle_.region(centroid(delaunay_cell));
+            std::vector<Region> candidates{here};
+            for (int i = 0; i < 4; ++i)
+            {
+                const Region next = delaunay_cell->neighbor(i)->info().region;
+                candidates.push_back(next);
+                if (compatible(own, next))
+                    continue;
+                if (const auto between = region_between(own, next))
+                    candidates.push_back(*between);
+            }
+            const auto cost = [&](Region region) {
+                return kCostOfConflict * conflicts(delaunay_cell, region) +
+                       (region == here ? 0 : kCostOfElsewhere);
+            };
+            const Region best = *std::min_element(candidates.begin(), candidates.end(),
+                                                  [&](Region a, Region b) { return cost(a) < cost(b); });
+            if (conflicts(delaunay_cell, best) >= own_conflicts)
+                continue;
+            delaunay_cell->info().region = best;
+            mark_pinched(delaunay_cell);
+            ++changed;
+        }
+        return changed;
+    }
+
+    //! Dissolves pieces of regions that lie elsewhere, and joins those that do not to the largest piece.
+    std::size_t join_pieces()
+    {
+        components_ = find_region_components(triangulation_);
+        is_largest_ = largest_of_each_region(components_);
+        report_.pieces_left_apart = 0;
+        std::size_t changed = 0;
+        for (std::uint32_t c = 0; c < components_.size(); ++c)
+        {
+            if (is_largest_[c])
+                continue;
+            const std::vector<DelaunayCell> cells = cells_of(c);
+            if (cells.empty())
+                continue; // changed since
+            if (lies_elsewhere(cells))
+            {
+                dissolve(cells);
+                ++report_.crumbs_dissolved;
+                ++changed;
+            }
+            else if (bridge(cells))
+            {
+                ++report_.necks_bridged;
+                ++changed;
+            }
+            else
+                ++report_.pieces_left_apart;
+        }
+        return changed;
+    }
+
+    [[nodiscard]] std::vector<DelaunayCell> cells_of(std::uint32_t component) const
+    {
+        std::vector<DelaunayCell> cells;
+        const auto belongs = [&](DelaunayCell delaunay_cell)
+        {
+            return delaunay_cell->info().component == component &&
+                   delaunay_cell->info().region == components_[component].region;
+        };
+        if (!belongs(components_[component].first))
+            return cells;
+        const auto visit = [&](DelaunayCell delaunay_cell)
+        {
+            delaunay_cell->info().component = kNoComponent;
+            cells.push_back(delaunay_cell);
+        };
+        visit(components_[component].first);
+        for (std::size_t next = 0; next < cells.size(); ++next)
+        {
+            for (int i = 0; i < 4; ++i)
+            {
+                if (belongs(cells[next]->neighbor(i)))
+                    visit(cells[next]->neighbor(i));
+            }
+        }
+        for (const DelaunayCell delaunay_cell : cells)
+            delaunay_cell->info().component = component;
+        return cells;
+    }
+
+    [[nodiscard]] bool lies_elsewhere(const std::vector<DelaunayCell>& cells) const
+    {
+        return std::none_of(cells.begin(), cells.end(),
+                            [&](DelaunayCell delaunay_cell)
+                            {
+                                return !triangulation_.is_infinite(delaunay_cell) &&
+                                       oracle_.region(centroid(delaunay_cell)) ==
+                                           delaunay_cell->info().region;
+                            });
+    }
+
+    //! Gives the cells to the region they share most facets with.
+    void dissolve(const std::vector<DelaunayCell>& cells)
+    {
+        const Region own = cells.front()->info().region;
+        std::unordered_map<Region, int> facets;
+        for (const DelaunayCell delaunay_cell : cells)
+            for (int i = 0; i < 4; ++i)
+                ++facets[delaunay_cell->neighbor(i)->info().region];
+        facets.erase(own);
+        const auto most =
+            std::max_element(facets.begin(), facets.end(),
+                             [](const auto& a, const auto& b)
+                             { return std::pair(a.second, a.first) < std::pair(b.second, b.first); });
+        for (const DelaunayCell delaunay_cell : cells)
+            change_region(delaunay_cell, most->first, kNoComponent);
+    }
+
+    //! Gives the cells on the cheapest way to the largest piece of the region to it. False where none is
+    //! found.
+    bool bridge(const std::vector<DelaunayCell>& cells)
+    {
+        const Region own = cells.front()->info().region;
+        struct Step
+        {
+            double cost;
+            std::size_t order; //!< ties go to what was reached first
+            DelaunayCell cell;
+            [[nodiscard]] bool operator>(const Step& other) const
+            {
+                return std::pair(cost, order) > std::pair(other.cost, other.order);
+            }
+        };
+        std::priority_queue<Step, std::vector<Step>, std::greater<>> front;
+        std::unordered_map<const void*, std::pair<double, DelaunayCell>> reached; // cost, cell before
+        const auto reach = [&](DelaunayCell delaunay_cell, double cost, DelaunayCell before)
+        {
+            const auto [entry, added] = reached.try_emplace(&*delaunay_cell, cost, before);
+            if (!added && entry->second.first <= cost)
+                return;
+            entry->second = {cost, before};
+            front.push({cost, reached.size() + front.size(), delaunay_cell});
+        };
+        for (const DelaunayCell delaunay_cell : cells)
+            reach(delaunay_cell, 0.0, {});
+        while (!front.empty() && reached.size() < cells.size() + kLongestSearch)
+        {
+            const Step step = front.top();
+            front.pop();
+            if (step.cost > reached[&*step.cell].first)
+                continue;
+            if (is_goal(step.cell, own))
+            {
+                for (DelaunayCell on_way = reached[&*step.cell].second; on_way != DelaunayCell();
+                     on_way = reached[&*on_way].second)
+                    change_region(on_way, own, step.cell->info().component);
+                return true;
+            }
+            for (int i = 0; i < 4; ++i)
+            {
+                const DelaunayCell next = step.cell->neighbor(i);
+                if (const auto price = price_of(next, own))
+                    reach(next, step.cost + *price, step.cell);
+            }
+        }
+        return false;
+    }
+
+    [[nodiscard]] bool is_goal(DelaunayCell delaunay_cell, Region own) const
+    {
+        const DelaunayCellData& data = delaunay_cell->info();
+        return data.region == own && data.component < components_.size() && is_largest_[data.component];
+    }
+
+    //! What a bridge of region `own` pays for a cell; nullopt where it must not pass.
+    [[nodiscard]] std::optional<double> price_of(DelaunayCell delaunay_cell, Region own) const
+    {
+        const Region region = delaunay_cell->info().region;
+        if (region == own)
+            return 0.0;
+        if (triangulation_.is_infinite(delaunay_cell) || is_inside(region) == is_inside(own))
+            return std::nullopt;
+        const double length = longest_edge(delaunay_cell);
+        return oracle_.region(centroid(delaunay_cell)) == own ? kDiscountInRegion * length : length;
+    }
+
+    static void change_region(DelaunayCell delaunay_cell, Region region, std::uint32_t component)
+    {
+        delaunay_cell->info().region = region;
+        delaunay_cell->info().component = component;
+        mark_pinched(delaunay_cell);
+    }
+
+    static void mark_pinched(DelaunayCell delaunay_cell)
+    {
+        for (int i = 0; i < 4; ++i)
+            delaunay_cell->vertex(i)->info().pinched = true; // as far as is known
+    }
+
+    const SurfaceOracle& oracle_;
+    const Triangulation& triangulation_;
+    std::vector<RegionComponent> components_;
+    std::vector<bool> is_largest_;
+    RegionRepairReport report_;
+};
+
+} // namespace
+
+RegionRepairReport repair_regions(RestrictedDelaunay& restricted)
+{
+    return restricted.oracle().surface_count() == 0 ? RegionRepairReport{} : RegionRepair(restricted).run();
+}
+
+} // namespace voroprobe

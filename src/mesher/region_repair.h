@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+
+#include "mesher/restricted_delaunay.h"
+
+namespace voroprobe
+{
+
+//! What repair_regions() changed, in Delaunay cells.
+struct RegionRepairReport
+{
+    std::size_t cells_reconciled = 0; //!< moved to a region that is a neighbour of those around
+    std::size_t crumbs_dissolved = 0; //!< pieces of a region where the region is not
+    std::size_t necks_bridged = 0;    //!< pieces of a region joined to the rest of it
+    std::size_t pieces_left_apart = 0;
+};
+
+//! Makes the regions of the Delaunay cells what the oracle's inventory says they are, where refinement ended
+//! at its floor before they were: each region one set of cells joined through facets, next to its neighbours
+//! in the inventory's tree only. Then the pieces of the mesh and the surfaces of the inventory correspond one
+//! to one.
+//!
+//! Any assignment of cells to regions bounds closed surfaces that do not cross, so cells may change region
+//! freely; they do where that leaves fewer facets between regions that do not touch in the scan, where a
+//! piece lies where its region is not (a sliver whose circumcenter is far away), and along the cheapest way
+//! between two pieces of a region that the scan joins by a neck thinner than the floor. Cost: O(Delaunay
+//! cells).
+RegionRepairReport repair_regions(RestrictedDelaunay& restricted);
+
+} // namespace voroprobe
