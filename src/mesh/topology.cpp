@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "support/check.h"
+#include "support/grouping.h"
 
 namespace voroprobe
 {
@@ -58,26 +59,29 @@ struct Side
 class EdgeTable
 {
 public:
-    explicit EdgeTable(const TriangleMesh& mesh) : first_(mesh.vertices.size() + 1, 0)
+    explicit EdgeTable(const TriangleMesh& mesh)
+        : sides_(mesh.vertices.size(), [&](auto&& visit) { for_each_side(mesh, visit); }),
+          vertex_count_(mesh.vertices.size())
     {
         CHECK_LE(mesh.faces.size(), std::numeric_limits<std::uint32_t>::max() / 3);
-        count_sides(mesh);
-        place_sides(mesh);
-        for (std::size_t v = 0; v + 1 < first_.size(); ++v)
-            std::sort(sides_.begin() + first_[v], sides_.begin() + first_[v + 1]);
+        for (std::size_t v = 0; v < vertex_count_; ++v)
+            std::sort(sides_.of(v).begin(), sides_.of(v).end());
     }
 
     //! Calls `visit(std::span<const Side>)` once for every edge.
     template <typename Visitor>
     void for_each_edge(Visitor visit) const
     {
-        for (std::size_t v = 0; v + 1 < first_.size(); ++v)
-            for (std::uint32_t begin = first_[v], end = begin; begin < first_[v + 1]; begin = end)
+        for (std::size_t v = 0; v < vertex_count_; ++v)
+        {
+            const std::span<const Side> sides = sides_.of(v);
+            for (std::size_t begin = 0, end = begin; begin < sides.size(); begin = end)
             {
-                while (end < first_[v + 1] && sides_[end].to == sides_[begin].to)
+                while (end < sides.size() && sides[end].to == sides[begin].to)
                     ++end;
-                visit(std::span<const Side>(sides_.data() + begin, end - begin));
+                visit(sides.subspan(begin, end - begin));
             }
+        }
     }
 
 private:
@@ -89,31 +93,14 @@ private:
             for (std::size_t i = 0; i < 3; ++i, ++corner)
             {
                 const auto [low, high] = std::minmax(face[i], face[(i + 1) % 3]);
+                CHECK_LT(high, mesh.vertices.size());
                 if (low != high)
                     visit(low, Side{high, corner});
             }
     }
 
-    void count_sides(const TriangleMesh& mesh)
-    {
-        for_each_side(mesh,
-                      [&](std::uint32_t low, const Side& side)
-                      {
-                          CHECK_LT(side.to, mesh.vertices.size());
-                          ++first_[low + 1];
-                      });
-        std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    }
-
-    void place_sides(const TriangleMesh& mesh)
-    {
-        sides_.resize(first_.back());
-        std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-        for_each_side(mesh, [&](std::uint32_t low, const Side& side) { sides_[next[low]++] = side; });
-    }
-
-    std::vector<std::uint32_t> first_; //!< sides whose smaller vertex is v: first_[v] to first_[v + 1] - 1
-    std::vector<Side> sides_;
+    Grouping<Side> sides_; //!< by their smaller vertex
+    std::size_t vertex_count_;
 };
 
 std::uint32_t vertex_of_corner(const TriangleMesh& mesh, std::uint32_t corner)

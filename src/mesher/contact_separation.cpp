@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "geometry/box3.h"
 #include "mesher/face_crossings.h"
 #include "mesher/vertex_sectors.h"
+#include "support/grouping.h"
 
 namespace voroprobe
 {
@@ -21,44 +21,20 @@ constexpr int kHalvings = 6;          // of a move whose faces cross others, bef
 constexpr int kDirectionSteps = 200;  // of the search for a direction behind all faces of an umbrella
 constexpr double kLeastMargin = 0.02; // sine of the least angle between a move and the faces it leaves
 
-//! Mesh faces by the Delaunay vertices of the boundary faces they are pieces of: those of the vertex with
-//! index v are numbers begin[v] to begin[v + 1] of one array.
-class FacesAroundVertices
+//! Mesh faces by the indices of the Delaunay vertices of the boundary faces they are pieces of.
+Grouping<std::uint32_t> faces_around_vertices(const RestrictedDelaunay& restricted,
+                                              const BoundaryComplex& complex)
 {
-public:
-    explicit FacesAroundVertices(const BoundaryComplex& complex)
-    {
-        const auto for_each_corner = [&](auto&& visit)
-        {
-            for (std::uint32_t m = 0; m < complex.mesh.faces.size(); ++m)
+    return {restricted.vertex_index_bound(), [&](auto&& visit)
             {
-                const BoundaryFace& face = complex.faces[complex.origin_of_face[m]];
-                for (std::size_t k = 0; k < 3; ++k)
-                    visit(corner(face, k)->info().index, m);
-            }
-        };
-        std::uint32_t bound = 0;
-        for_each_corner([&](std::uint32_t vertex, std::uint32_t) { bound = std::max(bound, vertex + 1); });
-        begin_.assign(bound + 1, 0);
-        for_each_corner([&](std::uint32_t vertex, std::uint32_t) { ++begin_[vertex + 1]; });
-        std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-        faces_.resize(begin_.back());
-        std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-        for_each_corner([&](std::uint32_t vertex, std::uint32_t m) { faces_[next[vertex]++] = m; });
-    }
-
-    [[nodiscard]] std::span<const std::uint32_t> of(VertexHandle vertex) const
-    {
-        const std::size_t index = vertex->info().index;
-        if (index + 1 >= begin_.size())
-            return {};
-        return {faces_.data() + begin_[index], faces_.data() + begin_[index + 1]};
-    }
-
-private:
-    std::vector<std::uint32_t> begin_;
-    std::vector<std::uint32_t> faces_;
-};
+                for (std::uint32_t m = 0; m < complex.mesh.faces.size(); ++m)
+                {
+                    const BoundaryFace& face = complex.faces[complex.origin_of_face[m]];
+                    for (std::size_t k = 0; k < 3; ++k)
+                        visit(corner(face, k)->info().index, m);
+                }
+            }};
+}
 
 Box3 bounds_of(const TriangleMesh& mesh, const TriangleMesh::Face& face)
 {
@@ -111,7 +87,8 @@ class ContactSeparation
 {
 public:
     ContactSeparation(const RestrictedDelaunay& restricted, BoundaryComplex& complex)
-        : restricted_(restricted), complex_(complex), mesh_(complex.mesh), faces_(complex)
+        : restricted_(restricted), complex_(complex), mesh_(complex.mesh),
+          faces_(faces_around_vertices(restricted, complex))
     {
     }
 
@@ -125,7 +102,7 @@ public:
     {
         std::vector<BoundaryFace> faces;
         std::vector<std::uint32_t> copies;
-        for (const std::uint32_t m : faces_.of(vertex))
+        for (const std::uint32_t m : faces_around(vertex))
         {
             for (const std::uint32_t copy : mesh_.faces[m])
             {
@@ -178,11 +155,16 @@ public:
     }
 
 private:
+    [[nodiscard]] std::span<const std::uint32_t> faces_around(VertexHandle vertex) const
+    {
+        return faces_.of(vertex->info().index);
+    }
+
     std::optional<Displacement> plan_move(VertexHandle vertex, const UmbrellaSides& sides) const
     {
         std::vector<Vec3> inward;
         double shortest = std::numeric_limits<double>::infinity();
-        for (const std::uint32_t m : faces_.of(vertex))
+        for (const std::uint32_t m : faces_around(vertex))
         {
             const TriangleMesh::Face& face = mesh_.faces[m];
             const auto at = std::find(face.begin(), face.end(), sides.copy);
@@ -219,7 +201,7 @@ private:
         restricted_.triangulation().finite_adjacent_vertices(move.near, std::back_inserter(neighbors));
         std::vector<std::uint32_t> nearby;
         for (const VertexHandle neighbor : neighbors)
-            nearby.insert(nearby.end(), faces_.of(neighbor).begin(), faces_.of(neighbor).end());
+            nearby.insert(nearby.end(), faces_around(neighbor).begin(), faces_around(neighbor).end());
         std::sort(nearby.begin(), nearby.end());
         nearby.erase(std::unique(nearby.begin(), nearby.end()), nearby.end());
 
@@ -242,7 +224,7 @@ private:
     const RestrictedDelaunay& restricted_;
     BoundaryComplex& complex_;
     TriangleMesh& mesh_;
-    FacesAroundVertices faces_;
+    Grouping<std::uint32_t> faces_;
     std::vector<Displacement> moves_;
     ContactReport report_;
 };

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
 #include "support/check.h"
+#include "support/grouping.h"
 
 namespace voroprobe
 {
@@ -60,42 +60,28 @@ struct PinchedEdge
     std::vector<std::uint32_t> half_edges;
 };
 
-//! Half-edges grouped by their first vertex: those of vertex v are numbers begin[v] to begin[v + 1] of
-//! `half_edges`.
-struct OutgoingHalfEdges
+//! Half-edges by their first vertex.
+Grouping<std::uint32_t> half_edges_by_source(const TriangleMesh& mesh)
 {
-    std::vector<std::uint32_t> begin;
-    std::vector<std::uint32_t> half_edges;
-};
-
-OutgoingHalfEdges group_by_source(const TriangleMesh& mesh)
-{
-    OutgoingHalfEdges outgoing{std::vector<std::uint32_t>(mesh.vertices.size() + 1, 0),
-                               std::vector<std::uint32_t>(3 * mesh.faces.size())};
-    for (const auto& face : mesh.faces)
-    {
-        for (const std::uint32_t vertex : face)
-            ++outgoing.begin[vertex + 1];
-    }
-    std::partial_sum(outgoing.begin.begin(), outgoing.begin.end(), outgoing.begin.begin());
-    std::vector<std::uint32_t> next(outgoing.begin.begin(), outgoing.begin.end() - 1);
-    for (std::uint32_t h = 0; h < outgoing.half_edges.size(); ++h)
-        outgoing.half_edges[next[mesh.faces[h / 3][h % 3]]++] = h;
-    return outgoing;
+    return {mesh.vertices.size(), [&](auto&& visit)
+            {
+                for (std::uint32_t h = 0; h < 3 * mesh.faces.size(); ++h)
+                    visit(mesh.faces[h / 3][h % 3], h);
+            }};
 }
 
 std::vector<PinchedEdge> find_pinched_edges(const BoundaryComplex& complex)
 {
     const TriangleMesh& mesh = complex.mesh;
-    OutgoingHalfEdges outgoing = group_by_source(mesh);
+    Grouping<std::uint32_t> outgoing = half_edges_by_source(mesh);
     const auto target = [&](std::uint32_t h) { return mesh.faces[h / 3][(h % 3 + 1) % 3]; };
     std::vector<PinchedEdge> pinched;
     for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v)
     {
         if (!complex.vertex_of_copy[v]->info().pinched)
             continue;
-        const auto first = outgoing.half_edges.begin() + outgoing.begin[v];
-        const auto last = outgoing.half_edges.begin() + outgoing.begin[v + 1];
+        const auto first = outgoing.of(v).begin();
+        const auto last = outgoing.of(v).end();
         std::sort(first, last,
                   [&](std::uint32_t g, std::uint32_t h)
                   { return std::pair(target(g), g) < std::pair(target(h), h); });

@@ -1,9 +1,10 @@
 #include "mesher/umbrella.h"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 #include <utility>
+
+#include "support/grouping.h"
 
 namespace voroprobe
 {
@@ -25,49 +26,27 @@ LinkEdge link_edge(const RestrictedFacet& facet, std::uint32_t apex)
     return b == apex ? LinkEdge{a, c} : LinkEdge{a, b};
 }
 
-//! The odd facets around chosen vertices, gathered in one pass over all facets.
-class FacetsOfVertices
+//! The odd facets around chosen vertices, by vertex index; gathered in one pass over all facets.
+Grouping<FacetId> odd_facets_of(const RestrictedDelaunay& restricted,
+                                const std::vector<VertexHandle>& vertices)
 {
-public:
-    FacetsOfVertices(const RestrictedDelaunay& restricted, const std::vector<VertexHandle>& vertices)
-    {
-        std::size_t last = 0;
-        for (const VertexHandle vertex : vertices)
-            last = std::max<std::size_t>(last, vertex->info().index);
-        std::vector<std::uint8_t> wanted(last + 1, 0);
-        for (const VertexHandle vertex : vertices)
-            wanted[vertex->info().index] = 1;
-
-        begin_.assign(last + 2, 0);
-        const auto for_each_wanted = [&](auto&& visit)
-        {
-            for (FacetId id = 0; id < restricted.facet_slots(); ++id)
+    std::vector<std::uint8_t> wanted(restricted.vertex_index_bound(), 0);
+    for (const VertexHandle vertex : vertices)
+        wanted[vertex->info().index] = 1;
+    return {wanted.size(), [&](auto&& visit)
             {
-                if (!restricted.facet(id).odd())
-                    continue;
-                for (const std::uint32_t vertex : restricted.facet(id).vertices)
+                for (FacetId id = 0; id < restricted.facet_slots(); ++id)
                 {
-                    if (vertex <= last && wanted[vertex] != 0)
-                        visit(vertex, id);
+                    if (!restricted.facet(id).odd())
+                        continue;
+                    for (const std::uint32_t vertex : restricted.facet(id).vertices)
+                    {
+                        if (wanted[vertex] != 0)
+                            visit(vertex, id);
+                    }
                 }
-            }
-        };
-        for_each_wanted([&](std::uint32_t vertex, FacetId) { ++begin_[vertex + 1]; });
-        std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-        facets_.resize(begin_.back());
-        std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-        for_each_wanted([&](std::uint32_t vertex, FacetId id) { facets_[next[vertex]++] = id; });
-    }
-
-    [[nodiscard]] std::span<const FacetId> of(std::uint32_t vertex) const
-    {
-        return {facets_.data() + begin_[vertex], facets_.data() + begin_[vertex + 1]};
-    }
-
-private:
-    std::vector<std::uint32_t> begin_;
-    std::vector<FacetId> facets_;
-};
+            }};
+}
 
 std::optional<FacetId> largest_above_floor(const RestrictedDelaunay& restricted,
                                            const FacetCriteria& criteria, std::span<const FacetId> facets)
@@ -144,7 +123,7 @@ UmbrellaFindings check_umbrellas(RestrictedDelaunay& restricted, const FacetCrit
     const std::vector<VertexHandle> vertices = restricted.take_unchecked_vertices();
     if (vertices.size() * kVerticesPerCheckedForOnePass > restricted.vertex_count())
     {
-        const FacetsOfVertices facets(restricted, vertices);
+        const Grouping<FacetId> facets = odd_facets_of(restricted, vertices);
         for (const VertexHandle vertex : vertices)
             look_at(vertex, facets.of(vertex->info().index), restricted, criteria, findings);
         return findings;
