@@ -20,6 +20,7 @@ set(public_headers
     src/volume/region.h src/volume/level.h src/volume/grid_geometry.h src/volume/volume.h src/volume/statistics.h
     src/mesh/triangle_mesh.h src/mesh/topology.h src/mesh/measures.h
     oracles/surface_oracle.h oracles/trilinear_oracle.h oracles/vdb_oracle.h oracles/implicit_oracle.h
+    oracles/implicit_domain.h oracles/implicit_expression.h oracles/scalar_field.h
     oracles/sphere_union_oracle.h
     src/mesher/meshing_options.h src/mesher/seeded_mesher.h
     io/volume_reader.h io/mesh_writer.h io/mesh_reader.h)

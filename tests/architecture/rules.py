@@ -30,6 +30,7 @@ THIRD_PARTIES = {
     "zlib": (("zlib.h",), ["io"]),
     "CGAL": (("CGAL/", "boost/"), ["src/mesher", "src/certificate", "src/compare"]),
     "TBB": (("tbb/", "oneapi/tbb"), ["src/volume", "src/mesher", "src/certificate"]),
+    "muParser": (("muParser",), ["oracles"]),
     "CLI11": (("CLI/",), ["src/cli"]),
     "nlohmann-json": (("nlohmann/",), ["src/cli", "src/compare"]),
 }
