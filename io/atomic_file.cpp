@@ -1,5 +1,6 @@
 #include "io/atomic_file.h"
 
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -20,6 +21,22 @@ namespace
 //! Names of files hold at most 255 bytes on all common systems; what we put around the name needs some of
 //! them.
 constexpr std::size_t kLongestNamePart = 200;
+
+//! Name of the file to remove when a signal ends the process; owned by an AtomicFile.
+std::atomic<const char*> unfinished = nullptr;
+static_assert(std::atomic<const char*>::is_always_lock_free, "read in the handler of a signal");
+
+void announce_unfinished(const fs::path& temporary)
+{
+    const char* none = nullptr;
+    unfinished.compare_exchange_strong(none, temporary.c_str());
+}
+
+void withdraw_unfinished(const fs::path& temporary)
+{
+    const char* ours = temporary.c_str();
+    unfinished.compare_exchange_strong(ours, nullptr);
+}
 
 [[noreturn]] void fail(const fs::path& target, const std::string& reason)
 {
@@ -100,7 +117,16 @@ AtomicFile::AtomicFile(const fs::path& target)
     : target_(followed(target)), temporary_(temporary_name(target_))
 {
     check_target(target_);
-    create(temporary_, target_);
+    announce_unfinished(temporary_);
+    try
+    {
+        create(temporary_, target_);
+    }
+    catch (...)
+    {
+        withdraw_unfinished(temporary_);
+        throw;
+    }
     keep_permissions(target_, temporary_);
 }
 
@@ -108,9 +134,10 @@ AtomicFile::~AtomicFile()
 {
     if (!committed_)
         ::unlink(temporary_.c_str());
+    withdraw_unfinished(temporary_);
 }
 
-void AtomicFile::commit()
+void AtomicFile::commit(const std::function<void()>& last_look)
 {
     // Some file systems (network, quota) report a full disk only here.
     const int descriptor = ::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC);
@@ -121,9 +148,17 @@ void AtomicFile::commit()
     if (sync_error != 0 && sync_error != EINVAL)
         fail(target_, system_reason(sync_error));
 
+    if (last_look)
+        last_look();
     if (::rename(temporary_.c_str(), target_.c_str()) != 0)
         fail(target_, system_reason(errno));
     committed_ = true;
+}
+
+void remove_unfinished_file() noexcept
+{
+    if (const char* temporary = unfinished; temporary != nullptr)
+        ::unlink(temporary);
 }
 
 } // namespace voroprobe

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 
 namespace voroprobe
 {
@@ -23,13 +24,18 @@ public:
     [[nodiscard]] const std::filesystem::path& temporary() const { return temporary_; }
 
     //! Forces what was written onto the disk, then renames. To be called once, when the temporary file is
-    //! closed. \throw OutputError
-    void commit();
+    //! closed. `last_look` is called when only the renaming is left; whatever it throws leaves the target as
+    //! it was. \throw OutputError
+    void commit(const std::function<void()>& last_look = {});
 
 private:
     std::filesystem::path target_;
     std::filesystem::path temporary_;
     bool committed_ = false;
 };
+
+//! Removes the temporary file of an AtomicFile that lives and is not committed: for the handler of a signal
+//! that ends the process. Safe in one. Where several live at once, only that of the oldest is removed.
+void remove_unfinished_file() noexcept;
 
 } // namespace voroprobe

@@ -118,7 +118,7 @@ void check_writable(const fs::path& path)
 }
 
 WriteReport write_mesh(const TriangleMesh& mesh, const fs::path& path, MeshFormat format,
-                       const std::vector<std::string>& comments)
+                       const std::vector<std::string>& comments, const std::function<void()>& last_look)
 {
     check_mesh(mesh, path);
     AtomicFile file(path);
@@ -129,7 +129,7 @@ WriteReport write_mesh(const TriangleMesh& mesh, const fs::path& path, MeshForma
         out.exceptions(std::ios::badbit | std::ios::failbit); // the first write that fails ends it
         const WriteReport report = write_to_stream(mesh, out, format, comments);
         out.close();
-        file.commit();
+        file.commit(last_look);
         return report;
     }
     catch (const std::ios_base::failure&)

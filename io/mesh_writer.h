@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,8 +42,10 @@ struct WriteReport
 //! Writes to a temporary name beside `path` and renames: the target is either whole or untouched. Comments go
 //! where the format has room for them. Not for several threads at once: OpenMesh and VTK are silenced by
 //! process-wide switches. \pre the mesh is closed and manifold where the reader is meant to find it so.
-//! \throw OutputError with the reason.
+//! `last_look` is called when the file is whole and only the renaming is left; whatever it throws leaves the
+//! target as it was. \throw OutputError with the reason.
 WriteReport write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path, MeshFormat format,
-                       const std::vector<std::string>& comments = {});
+                       const std::vector<std::string>& comments = {},
+                       const std::function<void()>& last_look = {});
 
 } // namespace voroprobe

@@ -4,9 +4,9 @@
 #include <csignal>
 #include <string_view>
 
-#include <sys/time.h>
 #include <unistd.h>
 
+#include "io/atomic_file.h"
 #include "support/error.h"
 
 namespace voroprobe
@@ -15,37 +15,33 @@ namespace voroprobe
 namespace
 {
 
-//! With what leaving takes, still within a second.
-constexpr itimerval kGrace{.it_interval = {0, 0}, .it_value = {.tv_sec = 0, .tv_usec = 800'000}};
-
-std::atomic<OnInterrupt> on_interrupt = OnInterrupt::kExitAtOnce;
+std::atomic<OnInterrupt> on_interrupt = OnInterrupt::kLeaveAtOnce;
 std::atomic<bool> requested = false;
 std::atomic<bool> bar_shown = false;
 static_assert(std::atomic<OnInterrupt>::is_always_lock_free && std::atomic<bool>::is_always_lock_free,
               "a signal handler may touch only lock-free atomics");
 
-// The handlers do only what is safe in one: write(), _exit(), lock-free atomics and setitimer(), which is a
-// plain system call like the alarm() that POSIX names, but not of whole seconds.
+// The handler does only what is safe in one: write(), unlink(), _exit() and lock-free atomics.
 
 void write_error(std::string_view text)
 {
     [[maybe_unused]] const auto written = write(STDERR_FILENO, text.data(), text.size());
 }
 
-void leave(int /*signal*/)
+void leave()
 {
+    remove_unfinished_file();
     if (bar_shown)
         write_error(kWipeLine);
     write_error("voroprobe: error: interrupted\n");
     _exit(static_cast<int>(ExitStatus::kInterrupted));
 }
 
-void handle_interrupt(int signal)
+void handle_interrupt(int /*signal*/)
 {
-    if (on_interrupt == OnInterrupt::kExitAtOnce || requested.exchange(true))
-        leave(signal);
-    if (on_interrupt == OnInterrupt::kStopSoon)
-        setitimer(ITIMER_REAL, &kGrace, nullptr);
+    const bool again = requested.exchange(true); // before the mode is looked at, see interrupt_requested()
+    if (again || on_interrupt == OnInterrupt::kLeaveAtOnce)
+        leave();
 }
 
 void handle(int signal, void (*handler)(int))
@@ -63,7 +59,6 @@ void install_interrupt_handlers()
 {
     handle(SIGINT, handle_interrupt);
     handle(SIGTERM, handle_interrupt);
-    handle(SIGALRM, leave);
     handle(SIGXFSZ, SIG_IGN); // a limit on the size of files is a write that fails, as on a full disk
 }
 

@@ -72,21 +72,13 @@ MeshRun read_input(const MeshArguments& arguments, ProgressSink& progress)
     return run;
 }
 
-void stop_if_interrupted()
-{
-    if (interrupt_requested())
-        throw Error(ExitStatus::kInterrupted, "interrupted; nothing was written");
-}
-
 //! \throw Error where there is nothing to write.
 TriangleMesh refine_surface(MeshRun& run, ProgressSink& progress)
 {
     const Stopwatch clock;
-    set_on_interrupt(OnInterrupt::kStopSoon);
     MeshingResult result = mesh_surface(*run.input.oracle, run.options, &progress);
     run.timings.refinement = clock.seconds();
     run.statistics = result.statistics;
-    stop_if_interrupted();
     if (result.status == MeshingStatus::kBudgetExhausted)
         run.status = RunStatus::kPartial;
     if (!result.mesh.faces.empty())
@@ -110,6 +102,14 @@ std::vector<std::string> comments_for(const MeshRun& run)
             "isovalue: " + number_text(run.input.isovalue.value)};
 }
 
+//! From here on a signal comes too late. To be called before the output takes its place.
+void pass_point_of_no_return()
+{
+    set_on_interrupt(OnInterrupt::kFinish);
+    if (interrupt_requested())
+        throw Error(ExitStatus::kInterrupted, "interrupted; nothing was written");
+}
+
 void check_and_write(TriangleMesh& mesh, MeshFormat format, MeshRun& run, ProgressSink& progress)
 {
     const Stopwatch clock;
@@ -119,9 +119,7 @@ void check_and_write(TriangleMesh& mesh, MeshFormat format, MeshRun& run, Progre
         run.status = RunStatus::kIncomplete;
     transform(mesh, output_from_grid(run.arguments.frame, run.input.placement));
     run.output_box = bounding_box(mesh);
-    set_on_interrupt(OnInterrupt::kFinish); // before the last look, so that no signal falls between
-    stop_if_interrupted();
-    write_mesh(mesh, run.arguments.output, format, comments_for(run));
+    write_mesh(mesh, run.arguments.output, format, comments_for(run), pass_point_of_no_return);
     run.timings.write = clock.seconds();
 }
 

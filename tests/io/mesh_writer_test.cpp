@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "../mesh/sample_meshes.h"
+#include "io/atomic_file.h"
 #include "io/mesh_writer.h"
 #include "support/error.h"
 #include "temporary_folder.h"
@@ -258,6 +259,35 @@ TEST(MeshWriter, a_mesh_that_cannot_be_written_leaves_the_older_file_alone)
     }
     EXPECT_EQ(content_of(path), "old");
     EXPECT_EQ(count_files(folder.path()), 1U);
+}
+
+TEST(MeshWriter, a_last_look_that_throws_leaves_the_older_file_alone)
+{
+    const TemporaryFolder folder;
+    const fs::path path = folder.file("m.ply", "precious");
+    const auto change_of_mind = [&]
+    {
+        EXPECT_EQ(count_files(folder.path()), 2U) << "the new file is there, whole";
+        throw UsageError("no, thanks");
+    };
+    EXPECT_THROW(write_mesh(icosphere(1), path, MeshFormat::kPly, {}, change_of_mind), UsageError);
+    EXPECT_EQ(content_of(path), "precious");
+    EXPECT_EQ(count_files(folder.path()), 1U);
+}
+
+TEST(AtomicFile, an_unfinished_one_can_be_removed_and_a_finished_one_cannot)
+{
+    const TemporaryFolder folder;
+    {
+        AtomicFile file(folder.path() / "m.ply");
+        EXPECT_TRUE(fs::exists(file.temporary()));
+        remove_unfinished_file();
+        EXPECT_EQ(count_files(folder.path()), 0U);
+    }
+    AtomicFile file(folder.path() / "m.ply");
+    file.commit();
+    remove_unfinished_file();
+    EXPECT_TRUE(fs::exists(folder.path() / "m.ply"));
 }
 
 // ---- Told before ----
