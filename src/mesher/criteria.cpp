@@ -21,8 +21,8 @@ FacetCriteria::FacetCriteria(const MeshingOptions& options)
       squared_distance_(options.max_facet_distance ? *options.max_facet_distance * *options.max_facet_distance
                                                    : std::numeric_limits<double>::infinity()),
       squared_sine_of_angle_(std::pow(std::sin(options.min_facet_angle_deg * std::numbers::pi / 180.0), 2)),
-      squared_floor_(options.floor_radius * options.floor_radius),
-      squared_smallest_(kSmallestBallInFloors * kSmallestBallInFloors * squared_floor_)
+      floor_(options.floor_radius),
+      squared_smallest_(kSmallestBallInFloors * kSmallestBallInFloors * floor_.squared_base())
 {
 }
 

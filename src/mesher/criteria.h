@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "mesher/local_floor.h"
 #include "mesher/meshing_options.h"
 #include "mesher/restricted_delaunay.h"
 
@@ -38,8 +39,11 @@ public:
     //! Whether the facet is so small that topology is no longer pursued.
     [[nodiscard]] bool at_floor(const RestrictedFacet& facet) const
     {
-        return facet.squared_radius <= squared_floor_;
+        return facet.squared_radius <= floor_.squared_base() &&
+               facet.squared_radius <= floor_.squared_at(facet.center);
     }
+
+    [[nodiscard]] LocalFloor& floor() { return floor_; }
 
 private:
     [[nodiscard]] std::optional<Badness> shape_badness(const RestrictedFacet& facet,
@@ -48,7 +52,7 @@ private:
     double squared_size_;
     double squared_distance_;
     double squared_sine_of_angle_;
-    double squared_floor_;
+    LocalFloor floor_;
     double squared_smallest_;
 };
 

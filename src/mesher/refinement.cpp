@@ -30,13 +30,39 @@ VertexHandle Refinement::insert(const Point3& p, VertexOrigin origin, VertexHand
 void Refinement::judge_changed_facets()
 {
     for (const FacetId id : restricted_.changed_facets())
+        judge(id);
+}
+
+void Refinement::judge(FacetId id)
+{
+    const RestrictedFacet& facet = restricted_.facet(id);
+    if (const auto badness = criteria_.badness(facet, restricted_.corners(facet)))
+        bad_facets_.push(id, facet.generation, *badness);
+    else if (facet.odd() && !criteria_.at_floor(facet) && !restricted_.is_faithful(facet))
+        bad_facets_.push(id, facet.generation, Badness::kUnfaithful);
+}
+
+bool Refinement::lower_floor(std::span<const Point3> places, int round)
+{
+    bool changed = false;
+    for (const Point3& place : places)
+        changed = criteria_.floor().lower(place, round) || changed;
+    if (!changed)
+        return false;
+    for (FacetId id = 0; id < restricted_.facet_slots(); ++id)
     {
         const RestrictedFacet& facet = restricted_.facet(id);
-        if (const auto badness = criteria_.badness(facet, restricted_.corners(facet)))
-            bad_facets_.push(id, facet.generation, *badness);
-        else if (facet.odd() && !criteria_.at_floor(facet) && !restricted_.is_faithful(facet))
-            bad_facets_.push(id, facet.generation, Badness::kUnfaithful);
+        if (facet.crossing_count == 0 || facet.kept ||
+            facet.squared_radius > criteria_.floor().squared_base() || criteria_.at_floor(facet))
+            continue;
+        judge(id);
+        for (int i = 0; i < 4; ++i) // for their umbrellas
+        {
+            if (facet.odd() && i != facet.index)
+                restricted_.mark_unchecked(facet.delaunay_cell->vertex(i));
+        }
     }
+    return true;
 }
 
 void Refinement::refine()

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "mesher/bad_facet_queue.h"
@@ -29,6 +30,10 @@ public:
     //! Until no facet is bad and every vertex that can have an umbrella has one; stops early when asked to.
     void refine();
 
+    //! Lowers the floor around the places (see LocalFloor::lower) and judges what lies there again. False
+    //! where no floor changed.
+    bool lower_floor(std::span<const Point3> places, int round);
+
     //! A vertex that is on no facet of the mesh; nullopt when there is none left to initialize. Call after
     //! refine().
     std::optional<VertexHandle> take_isolated_vertex();
@@ -39,6 +44,7 @@ public:
 private:
     bool may_go_on();
     void judge_changed_facets();
+    void judge(FacetId id);
     void refine_facet(FacetId id);
     bool find_unresolved_facets();
     bool find_pinched_vertices();

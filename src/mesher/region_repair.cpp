@@ -44,6 +44,19 @@ double longest_edge(DelaunayCell delaunay_cell)
     return std::sqrt(longest);
 }
 
+//! A Delaunay cell reached on the way between two pieces of a region.
+struct Step
+{
+    double cost;
+    std::size_t order; //!< ties go to what was reached first
+    DelaunayCell cell;
+
+    [[nodiscard]] bool operator>(const Step& other) const
+    {
+        return std::pair(cost, order) > std::pair(other.cost, other.order);
+    }
+};
+
 class RegionRepair
 {
 public:
@@ -69,6 +82,26 @@ public:
                 break;
         }
         return report_;
+    }
+
+    std::vector<Point3> gaps()
+    {
+        components_ = find_region_components(triangulation_);
+        is_largest_ = largest_of_each_region(components_);
+        std::vector<Point3> places;
+        for (std::uint32_t c = 0; c < components_.size(); ++c)
+        {
+            const std::vector<DelaunayCell> cells =
+                is_largest_[c] ? std::vector<DelaunayCell>{} : cells_of(c);
+            if (cells.empty() || lies_elsewhere(cells))
+                continue;
+            for (const DelaunayCell delaunay_cell : find_way(cells))
+            {
+                if (delaunay_cell->info().region != components_[c].region)
+                    places.push_back(centroid(delaunay_cell));
+            }
+        }
+        return places;
     }
 
 private:
@@ -236,17 +269,20 @@ private:
     //! found.
     bool bridge(const std::vector<DelaunayCell>& cells)
     {
+        const std::vector<DelaunayCell> way = find_way(cells);
+        if (way.empty())
+            return false;
+        const std::uint32_t component = way.front()->info().component;
+        for (const DelaunayCell delaunay_cell : way)
+            change_region(delaunay_cell, cells.front()->info().region, component);
+        return true;
+    }
+
+    //! The cells on the cheapest way from the largest piece of a region, first, to another one, last; empty
+    //! where none is found.
+    [[nodiscard]] std::vector<DelaunayCell> find_way(const std::vector<DelaunayCell>& cells) const
+    {
         const Region own = cells.front()->info().region;
-        struct Step
-        {
-            double cost;
-            std::size_t order; //!< ties go to what was reached first
-            DelaunayCell cell;
-            [[nodiscard]] bool operator>(const Step& other) const
-            {
-                return std::pair(cost, order) > std::pair(other.cost, other.order);
-            }
-        };
         std::priority_queue<Step, std::vector<Step>, std::greater<>> front;
         std::unordered_map<const void*, std::pair<double, DelaunayCell>> reached; // cost, cell before
         const auto reach = [&](DelaunayCell delaunay_cell, double cost, DelaunayCell before)
@@ -267,10 +303,10 @@ private:
                 continue;
             if (is_goal(step.cell, own))
             {
-                for (DelaunayCell on_way = reached[&*step.cell].second; on_way != DelaunayCell();
-                     on_way = reached[&*on_way].second)
-                    change_region(on_way, own, step.cell->info().component);
-                return true;
+                std::vector<DelaunayCell> way;
+                for (DelaunayCell at = step.cell; at != DelaunayCell(); at = reached[&*at].second)
+                    way.push_back(at);
+                return way;
             }
             for (int i = 0; i < 4; ++i)
             {
@@ -279,7 +315,7 @@ private:
                     reach(next, step.cost + *price, step.cell);
             }
         }
-        return false;
+        return {};
     }
 
     [[nodiscard]] bool is_goal(DelaunayCell delaunay_cell, Region own) const
@@ -321,6 +357,11 @@ private:
 };
 
 } // namespace
+
+std::vector<Point3> find_gaps(RestrictedDelaunay& restricted)
+{
+    return restricted.oracle().surface_count() == 0 ? std::vector<Point3>{} : RegionRepair(restricted).gaps();
+}
 
 RegionRepairReport repair_regions(RestrictedDelaunay& restricted)
 {

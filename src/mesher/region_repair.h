@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "mesher/restricted_delaunay.h"
 
@@ -15,6 +16,10 @@ struct RegionRepairReport
     std::size_t necks_bridged = 0;    //!< pieces of a region joined to the rest of it
     std::size_t pieces_left_apart = 0;
 };
+
+//! Where the cheapest ways lead that would join the pieces of the regions: necks of the scan that the mesh
+//! does not have, or not yet. Cost: O(Delaunay cells).
+std::vector<Point3> find_gaps(RestrictedDelaunay& restricted);
 
 //! Makes the regions of the Delaunay cells what the oracle's inventory says they are, where refinement ended
 //! at its floor before they were: each region one set of cells joined through facets, next to its neighbours

@@ -8,10 +8,11 @@
 #include <string>
 #include <utility>
 
+#include "mesher/faithfulness.h"
 #include "mesher/initialization.h"
-#include "mesher/inventory_seeding.h"
 #include "mesher/probing.h"
 #include "mesher/refinement.h"
+#include "mesher/region_repair.h"
 #include "mesher/restricted_delaunay.h"
 #include "mesher/surface_extraction.h"
 #include "support/error.h"
@@ -24,8 +25,8 @@ namespace
 {
 
 // Points given to a surface without facets, the first time; four times as many each time after.
-constexpr std::size_t kSeedsPerSurface = 32;
-constexpr int kSeedingRounds = 4;
+constexpr std::size_t kSeedsPerSurface = 8;
+constexpr int kInventoryRounds = 6;
 
 class SeededMesher
 {
@@ -45,8 +46,7 @@ public:
             while (refinement_.status() == MeshingStatus::kDone && initialize_isolated_vertices())
                 refinement_.refine();
         }
-        for (int round = 0; refinement_.status() == MeshingStatus::kDone && seed_missing_surfaces(round);
-             ++round)
+        for (int round = 1; refinement_.status() == MeshingStatus::kDone && pursue_inventory(round); ++round)
             refinement_.refine();
         return result(); // the branch that probes Voronoi cells is left out: docs/design.md, section 3
     }
@@ -77,14 +77,22 @@ private:
         return any;
     }
 
-    //! False when every surface of the inventory has facets, or no more points can be given to those that
-    //! have none.
-    bool seed_missing_surfaces(int round)
+    //! Gives points to the surfaces of the inventory without facets, and lowers the floor where facets do
+    //! not lie on one surface or a region is in pieces. False when there is nothing left to pursue.
+    bool pursue_inventory(int round)
     {
-        if (round == kSeedingRounds)
+        if (oracle_.surface_count() == 0 || round > kInventoryRounds)
             return false;
         const std::vector<SurfaceId> missing = find_missing_surfaces(restricted_);
-        return seed_surfaces(missing, kSeedsPerSurface << (2 * round), oracle_, refinement_) > 0;
+        const std::size_t seeds =
+            seed_surfaces(missing, kSeedsPerSurface << (2 * round), oracle_, refinement_);
+        std::vector<Point3> places = find_unfaithful_places(restricted_);
+        if (missing.empty())
+        {
+            const std::vector<Point3> gaps = find_gaps(restricted_);
+            places.insert(places.end(), gaps.begin(), gaps.end());
+        }
+        return refinement_.lower_floor(places, round) || seeds > 0;
     }
 
     MeshingResult result()

@@ -1,4 +1,4 @@
-#include "mesher/inventory_seeding.h"
+#include "mesher/faithfulness.h"
 
 namespace voroprobe
 {
@@ -24,6 +24,23 @@ std::vector<SurfaceId> find_missing_surfaces(const RestrictedDelaunay& restricte
             missing.push_back(static_cast<SurfaceId>(surface));
     }
     return missing;
+}
+
+std::vector<Point3> find_unfaithful_places(const RestrictedDelaunay& restricted)
+{
+    std::vector<Point3> places;
+    for (FacetId id = 0; id < restricted.facet_slots(); ++id)
+    {
+        const RestrictedFacet& facet = restricted.facet(id);
+        if (facet.crossing_count == 0)
+            continue;
+        const bool faithful = facet.odd() ? restricted.is_faithful(facet)
+                                          : facet.delaunay_cell->info().region ==
+                                                facet.delaunay_cell->neighbor(facet.index)->info().region;
+        if (!faithful)
+            places.push_back(facet.center);
+    }
+    return places;
 }
 
 std::size_t seed_surfaces(const std::vector<SurfaceId>& surfaces, std::size_t most,

@@ -13,6 +13,10 @@ namespace voroprobe
 //! Cost: O(facets).
 std::vector<SurfaceId> find_missing_surfaces(const RestrictedDelaunay& restricted);
 
+//! Where facets do not lie on one surface of the inventory although refinement has ended: they are at the
+//! floor. Cost: O(facets).
+std::vector<Point3> find_unfaithful_places(const RestrictedDelaunay& restricted);
+
 //! Gives each surface up to `most` points, spread over it. Returns the number of points inserted.
 std::size_t seed_surfaces(const std::vector<SurfaceId>& surfaces, std::size_t most,
                           const SurfaceOracle& oracle, Refinement& refinement);

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <vector>
+
+#include "mesher/convex_region.h"
+#include "mesher/restricted_delaunay.h"
+
+namespace voroprobe
+{
+
+//! The Voronoi cell of a vertex. One object serves many cells in turn, to spare allocations.
+class VoronoiCell
+{
+public:
+    //! Takes the cell of a vertex that is no sentinel. Cost: O(its Delaunay cells), some 25.
+    void assign(const RestrictedDelaunay& restricted, VertexHandle vertex);
+
+    [[nodiscard]] VertexHandle vertex() const { return vertex_; }
+    [[nodiscard]] Point3 site() const { return position(vertex_); }
+
+    //! The Delaunay cells around the vertex, whose circumcenters are the corners of the Voronoi cell.
+    [[nodiscard]] const std::vector<DelaunayCell>& star() const { return star_; }
+
+    //! Largest distance from the site to a point of the cell in the domain, at most: the size by which cells are
+    //! probed. It never grows when points are inserted.
+    [[nodiscard]] double size_within(const Box3& domain) const;
+
+    //! Whether every corner lies in the domain.
+    [[nodiscard]] bool is_within(const ProbedDomain& domain) const;
+
+    //! Whether every point of the cell is within `reach` of one of its edges, for certain. It is where the cell
+    //! fits into a cylinder of that radius: each section across is a polygon with its corners on edges, and a
+    //! point of a convex polygon is no farther from the nearest corner than the radius of a disk around all.
+    [[nodiscard]] bool is_thin(double reach) const;
+
+    //! The cell clipped to the domain, relative to the site.
+    void clip_to(const ProbedDomain& domain, ConvexRegion& region) const;
+
+private:
+    void append_bisectors(ConvexRegion& region) const;
+    void append_clipped_corners(const ProbedDomain& domain, ConvexRegion& region) const;
+
+    VertexHandle vertex_;
+    std::vector<DelaunayCell> star_;
+};
+
+} // namespace voroprobe
