@@ -18,14 +18,6 @@ std::string printed(const char* format, double value)
 
 } // namespace
 
-std::string count_text(std::size_t count)
-{
-    std::string digits = std::to_string(count);
-    for (std::ptrdiff_t i = static_cast<std::ptrdiff_t>(digits.size()) - 3; i > 0; i -= 3)
-        digits.insert(static_cast<std::size_t>(i), 1, ',');
-    return digits;
-}
-
 std::string triple_text(const Vec3& values, const std::string& separator)
 {
     return number_text(values.x) + separator + number_text(values.y) + separator + number_text(values.z);

@@ -9,9 +9,6 @@
 namespace voroprobe
 {
 
-//! A count with thousands marked: "1,234,567".
-std::string count_text(std::size_t count);
-
 //! Three numbers with a word between: "3.2 x 3.2 x 1.5".
 std::string triple_text(const Vec3& values, const std::string& separator = " x ");
 
