@@ -245,12 +245,12 @@ void append(SampleArray& all, const SampleArray& more)
         all, more);
 }
 
-SampleArray read_slice_samples(const std::string& file)
+SampleArray read_slice_samples(const std::string& file, std::vector<std::string>& warnings)
 {
     const QuietGdcm quiet;
     const auto image_io = itk::GDCMImageIO::New();
     read_itk_header(*image_io, file);
-    return read_itk_samples(*image_io, std::nullopt);
+    return read_itk_samples(*image_io, std::nullopt, warnings);
 }
 
 } // namespace
@@ -266,7 +266,7 @@ StoredVolume read_dicom_file(const std::filesystem::path& path, const ReadOption
     if (volume.lattice.size[2] == 1)
         throw InputError("a single slice is not a volume: expected the folder that holds the whole series");
     volume.stored_type = stored_type_text(*image_io);
-    volume.samples = read_itk_samples(*image_io, options.frame);
+    volume.samples = read_itk_samples(*image_io, options.frame, volume.warnings);
     return volume;
 }
 
@@ -293,7 +293,8 @@ StoredVolume read_dicom_folder(const std::filesystem::path& folder, const ReadOp
                                            static_cast<std::int64_t>(volume.lattice.size[2])};
     volume.samples = empty_samples(type, require_sane_size(size, byte_size(type)));
     for (const Slice& slice : slices)
-        with_slice(slice.file, [&] { append(volume.samples, read_slice_samples(slice.file)); });
+        with_slice(slice.file,
+                   [&] { append(volume.samples, read_slice_samples(slice.file, volume.warnings)); });
     return volume;
 }
 

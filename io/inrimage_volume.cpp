@@ -167,8 +167,8 @@ StoredVolume read_inrimage(const std::filesystem::path& path, const ReadOptions&
     volume.has_spacing = header.find("VX") != nullptr;
     if (is_rotated(header))
         volume.warnings.emplace_back("the rotation RX, RY, RZ of the header is not applied");
-    volume.samples =
-        decode_samples(encoding, count, [&](std::span<std::byte> to) { read_bytes(source, to); });
+    volume.samples = decode_samples(
+        encoding, count, [&](std::span<std::byte> to) { read_bytes(source, to); }, volume.warnings);
     return volume;
 }
 

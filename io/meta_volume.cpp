@@ -286,8 +286,8 @@ StoredVolume read_meta_image(const std::filesystem::path& path, const ReadOption
     StoredVolume volume{.lattice = itk_lattice(*image_io), .format = "MetaImage"};
     volume.stored_type = stored_type_name(sample_encoding.type);
     volume.has_spacing = header.fields.contains("ElementSpacing") || header.fields.contains("ElementSize");
-    volume.samples =
-        decode_samples(sample_encoding, count, [&](std::span<std::byte> to) { read_bytes(source, to); });
+    volume.samples = decode_samples(
+        sample_encoding, count, [&](std::span<std::byte> to) { read_bytes(source, to); }, volume.warnings);
     return volume;
 }
 

@@ -15,6 +15,7 @@
 #include "io/volume_formats.h"
 #include "io/volume_itk.h"
 #include "support/error.h"
+#include "support/number_text.h"
 
 namespace voroprobe
 {
@@ -127,8 +128,8 @@ std::vector<std::string> scaling_warnings(const Header& header)
     const auto intercept = header.at<float>(kSclInter);
     if (std::isfinite(slope) && (std::isfinite(intercept) || slope == 0.0F))
         return {};
-    return {"the header scales the samples by " + std::to_string(slope) + " and adds " +
-            std::to_string(intercept) + ": ignored, they are taken as stored"};
+    return {"the header scales the samples by " + number_text(slope) + " and adds " + number_text(intercept) +
+            ": ignored, they are taken as stored"};
 }
 
 //! False where the size of a voxel along an axis is 0, NaN or infinite.
@@ -199,7 +200,7 @@ void read_lattice(const std::filesystem::path& path, const Header& header,
         return;
     }
     if (sform_skew > kMaxSkew && !has_qform)
-        throw InputError("the sform is sheared: two axes meet at a cosine of " + std::to_string(sform_skew) +
+        throw InputError("the sform is sheared: two axes meet at a cosine of " + number_text(sform_skew) +
                          ", expected right angles (at most 0.001)");
     if (sform_skew > kMaxSkew)
         volume.warnings.emplace_back("the sform is sheared: the qform is used instead");
@@ -213,8 +214,8 @@ ByteSource frame_source(const std::filesystem::path& path, const Header& header,
 {
     const double offset = header.at<float>(kVoxOffset);
     if (!(offset >= 0.0 && offset < 1e15))
-        throw InputError("the header puts the samples at byte " + std::to_string(offset) +
-                         ", expected 352 or more");
+        throw InputError("the header puts the samples at byte " + number_text(offset) +
+                         ", expected 352 to 1e+15");
     constexpr std::uint64_t kFirstPossible = 352;
     return {.files = {path},
             .offset = std::max(kFirstPossible, static_cast<std::uint64_t>(offset)),
@@ -239,8 +240,8 @@ StoredVolume read_nifti(const std::filesystem::path& path, const ReadOptions& op
     read_lattice(path, header, size, volume);
     volume.stored_type = stored_type_name(sample_encoding.type);
     volume.has_spacing = gives_spacing(header);
-    volume.samples =
-        decode_samples(sample_encoding, count, [&](std::span<std::byte> to) { read_bytes(source, to); });
+    volume.samples = decode_samples(
+        sample_encoding, count, [&](std::span<std::byte> to) { read_bytes(source, to); }, volume.warnings);
     return volume;
 }
 

@@ -4,11 +4,13 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <sstream>
 
 #include <itkNrrdImageIO.h>
 
+#include "io/mesh_file.h"
 #include "io/volume_bytes.h"
 #include "io/volume_formats.h"
 #include "io/volume_itk.h"
@@ -41,6 +43,12 @@ std::vector<std::string> header_lines(const std::filesystem::path& path)
     return lines;
 }
 
+std::string trimmed(const std::string& text)
+{
+    const std::size_t first = text.find_first_not_of(" \t");
+    return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") + 1 - first);
+}
+
 //! What follows "name:"; empty where the field is missing.
 std::string field(const std::vector<std::string>& lines, const std::string& name)
 {
@@ -63,19 +71,51 @@ bool gives_spacing(const std::vector<std::string>& lines)
     return known > 0;
 }
 
-//! Of units ("mm" "mm" "mm") other than mm; none where they are unknown.
+//! The words in quotes: "mm" "mm" "s".
+std::vector<std::string> quoted_words(const std::string& text)
+{
+    std::vector<std::string> words;
+    std::istringstream quoted(text);
+    for (std::string word; std::getline(quoted, word, '"') && std::getline(quoted, word, '"');)
+        words.push_back(word);
+    return words;
+}
+
+//! Of units of the axes of space other than mm; none where they are unknown. Where the file lies in a space,
+//! its axes have those of the space; otherwise, each has its own.
 std::vector<std::string> unit_warnings(const std::vector<std::string>& lines)
 {
     constexpr std::array<std::string_view, 7> kNoOther{
         "", "???", "mm", "millimeter", "millimeters", "millimetre", "millimetres"};
-    const std::string units = field(lines, "space units");
-    std::istringstream quoted(units);
-    std::string unit;
-    while (std::getline(quoted, unit, '"') && std::getline(quoted, unit, '"'))
+    const bool in_space = !field(lines, "space directions").empty();
+    std::vector<std::string> units = quoted_words(field(lines, in_space ? "space units" : "units"));
+    units.resize(std::min<std::size_t>(units.size(), 3)); // a fourth axis is of time or of frames
+    for (const std::string& unit : units)
         if (std::find(kNoOther.begin(), kNoOther.end(), unit) == kNoOther.end())
-            return {"the header gives the space unit \"" + unit +
-                    "\": its lengths are taken for mm, --spacing x,y,z sets the voxel size"};
+            return {"the header gives the " + std::string(in_space ? "space unit " : "unit ") +
+                    in_quotes(unit) + ": its lengths are taken for mm, --spacing x,y,z sets the voxel size"};
     return {};
+}
+
+//! Refuses sizes that are no whole numbers from 1 on, or whose product is beyond all memory.
+void require_sizes(const std::vector<std::string>& lines)
+{
+    const std::string sizes = field(lines, "sizes");
+    std::istringstream words(sizes);
+    std::int64_t samples = 1;
+    bool fits = true;
+    for (std::string word; words >> word;)
+    {
+        const auto size = parse_number<std::int64_t>(word);
+        const bool too_large = word.find_first_not_of("0123456789") == std::string::npos && !size;
+        if (!too_large && size.value_or(0) < 1)
+            throw InputError("the header gives the size " + in_quotes(word) +
+                             ", expected whole numbers of at least 1");
+        fits = fits && !too_large && !__builtin_mul_overflow(samples, *size, &samples);
+    }
+    if (!fits)
+        throw InputError("the header gives the sizes " + in_quotes(trimmed(sizes)) +
+                         ", more samples than any memory holds, expected fewer than 2^63");
 }
 
 //! Refuses an attached header without enough bytes behind it for its samples, whatever the encoding, before
@@ -104,6 +144,7 @@ void require_plausible_length(const std::filesystem::path& path, const std::vect
 StoredVolume read_nrrd(const std::filesystem::path& path, const ReadOptions& options)
 {
     const std::vector<std::string> lines = header_lines(path);
+    require_sizes(lines);
     const auto image_io = itk::NrrdImageIO::New();
     read_itk_header(*image_io, path);
 
@@ -114,7 +155,7 @@ StoredVolume read_nrrd(const std::filesystem::path& path, const ReadOptions& opt
         volume.warnings = unit_warnings(lines);
     if (image_io->GetImageSizeInBytes() > 0)
         require_plausible_length(path, lines, *image_io);
-    volume.samples = read_itk_samples(*image_io, options.frame);
+    volume.samples = read_itk_samples(*image_io, options.frame, volume.warnings);
     return volume;
 }
 

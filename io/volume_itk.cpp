@@ -155,24 +155,26 @@ StoredType itk_stored_type(const itk::ImageIOBase& image_io)
     }
 }
 
-SampleArray read_itk_samples(itk::ImageIOBase& image_io, const std::optional<std::size_t>& frame)
+SampleArray read_itk_samples(itk::ImageIOBase& image_io, const std::optional<std::size_t>& frame,
+                             std::vector<std::string>& warnings)
 {
     const std::vector<std::int64_t> size = dimensions(image_io);
     const StoredType type = itk_stored_type(image_io);
     const std::size_t total = require_sane_size(size, byte_size(type));
     const std::size_t count = require_sane_size(std::span(size).first(3), byte_size(type));
     const std::size_t chosen = choose_frame(total / count, frame);
-    return decode_samples({.type = type}, count,
-                          [&](std::span<std::byte> to)
-                          {
-                              if (total == count)
-                                  return read_whole_image(image_io, to);
-                              std::vector<std::byte> all_frames(total * byte_size(type));
-                              read_whole_image(image_io, all_frames);
-                              std::copy_n(all_frames.begin() +
-                                              static_cast<std::ptrdiff_t>(chosen * to.size()),
-                                          to.size(), to.begin());
-                          });
+    return decode_samples(
+        {.type = type}, count,
+        [&](std::span<std::byte> to)
+        {
+            if (total == count)
+                return read_whole_image(image_io, to);
+            std::vector<std::byte> all_frames(total * byte_size(type));
+            read_whole_image(image_io, all_frames);
+            std::copy_n(all_frames.begin() + static_cast<std::ptrdiff_t>(chosen * to.size()), to.size(),
+                        to.begin());
+        },
+        warnings);
 }
 
 } // namespace voroprobe

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include <itkImageIOBase.h>
 
@@ -26,8 +27,9 @@ StoredLattice itk_lattice(const itk::ImageIOBase& image_io);
 //! \throw InputError where the pixels are not single real numbers.
 StoredType itk_stored_type(const itk::ImageIOBase& image_io);
 
-//! The samples of the volume that `frame` chooses. Refuses sizes beyond memory before allocating. \throw
-//! InputError.
-SampleArray read_itk_samples(itk::ImageIOBase& image_io, const std::optional<std::size_t>& frame);
+//! The samples of the volume that `frame` chooses. Refuses sizes beyond memory before allocating; warns as
+//! decode_samples. \throw InputError.
+SampleArray read_itk_samples(itk::ImageIOBase& image_io, const std::optional<std::size_t>& frame,
+                             std::vector<std::string>& warnings);
 
 } // namespace voroprobe

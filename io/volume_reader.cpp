@@ -10,6 +10,7 @@
 #include "io/volume_bytes.h"
 #include "io/volume_formats.h"
 #include "support/error.h"
+#include "support/number_text.h"
 
 namespace voroprobe
 {
@@ -114,7 +115,7 @@ void apply_spacing(StoredVolume& stored, const ReadOptions& options)
     {
         for (std::size_t axis = 0; axis < 3; ++axis)
             if (!std::isfinite((*options.spacing)[axis]) || (*options.spacing)[axis] <= 0.0)
-                throw UsageError("--spacing: " + std::to_string((*options.spacing)[axis]) +
+                throw UsageError("--spacing: " + number_text((*options.spacing)[axis]) +
                                  ", expected three positive numbers");
         stored.lattice.spacing = *options.spacing;
         stored.has_spacing = true;

@@ -81,11 +81,34 @@ template <class Stored>
 constexpr bool kIsKept = std::is_floating_point_v<Stored> ||
                          sizeof(Stored) <= 2 || std::is_same_v<Stored, std::int32_t>;
 
+//! Whether a double holds the number exactly: at most 53 bits from its first to its last that is set.
+template <class Integer>
+bool fits_double(Integer value)
+{
+    using Bits = std::make_unsigned_t<Integer>;
+    const Bits magnitude = value < 0 ? Bits{0} - static_cast<Bits>(value) : static_cast<Bits>(value);
+    const int last = std::countr_zero(magnitude);
+    const int end = std::numeric_limits<Bits>::digits - std::countl_zero(magnitude);
+    return end - last <= std::numeric_limits<double>::digits;
+}
+
+template <class Stored>
+void warn_of_rounding(const std::vector<Stored>& stored, std::vector<std::string>& warnings)
+{
+    if constexpr (std::is_integral_v<Stored> && sizeof(Stored) > sizeof(std::int32_t))
+        if (const auto rounded = stored.size() - static_cast<std::size_t>(std::count_if(
+                                                     stored.begin(), stored.end(), fits_double<Stored>));
+            rounded > 0)
+            warnings.push_back("samples that are whole numbers beyond 2^53 and lose their last digits: " +
+                               std::to_string(rounded) + " (kept as 64-bit floating-point numbers)");
+}
+
 template <class Stored>
 SampleArray decode(const SampleEncoding& encoding, std::size_t count,
-                   const std::function<void(std::span<std::byte>)>& fill)
+                   const std::function<void(std::span<std::byte>)>& fill, std::vector<std::string>& warnings)
 {
     std::vector<Stored> stored = read_stored<Stored>(encoding, count, fill);
+    warn_of_rounding(stored, warnings);
     if (encoding.slope != 1.0 || encoding.intercept != 0.0)
         return rescaled(stored, encoding.slope, encoding.intercept);
     if constexpr (kIsKept<Stored>)
@@ -153,30 +176,31 @@ std::size_t choose_frame(std::size_t frame_count, const std::optional<std::size_
 }
 
 SampleArray decode_samples(const SampleEncoding& encoding, std::size_t count,
-                           const std::function<void(std::span<std::byte>)>& fill)
+                           const std::function<void(std::span<std::byte>)>& fill,
+                           std::vector<std::string>& warnings)
 {
     switch (encoding.type)
     {
     case StoredType::kUint8:
-        return decode<std::uint8_t>(encoding, count, fill);
+        return decode<std::uint8_t>(encoding, count, fill, warnings);
     case StoredType::kInt8:
-        return decode<std::int8_t>(encoding, count, fill);
+        return decode<std::int8_t>(encoding, count, fill, warnings);
     case StoredType::kUint16:
-        return decode<std::uint16_t>(encoding, count, fill);
+        return decode<std::uint16_t>(encoding, count, fill, warnings);
     case StoredType::kInt16:
-        return decode<std::int16_t>(encoding, count, fill);
+        return decode<std::int16_t>(encoding, count, fill, warnings);
     case StoredType::kUint32:
-        return decode<std::uint32_t>(encoding, count, fill);
+        return decode<std::uint32_t>(encoding, count, fill, warnings);
     case StoredType::kInt32:
-        return decode<std::int32_t>(encoding, count, fill);
+        return decode<std::int32_t>(encoding, count, fill, warnings);
     case StoredType::kUint64:
-        return decode<std::uint64_t>(encoding, count, fill);
+        return decode<std::uint64_t>(encoding, count, fill, warnings);
     case StoredType::kInt64:
-        return decode<std::int64_t>(encoding, count, fill);
+        return decode<std::int64_t>(encoding, count, fill, warnings);
     case StoredType::kFloat32:
-        return decode<float>(encoding, count, fill);
+        return decode<float>(encoding, count, fill, warnings);
     case StoredType::kFloat64:
-        return decode<double>(encoding, count, fill);
+        return decode<double>(encoding, count, fill, warnings);
     }
     throw InputError("unknown sample type");
 }

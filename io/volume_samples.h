@@ -54,8 +54,10 @@ std::size_t choose_frame(std::size_t frame_count, const std::optional<std::size_
 
 //! Lets `fill` write `count` samples as stored and turns them into values: byte order, wide integers to int32
 //! where all of them fit and to double otherwise, slope and intercept (whole ones keep integers, others make
-//! float32 of types up to 16 bits and float64 of wider ones).
+//! float32 of types up to 16 bits and float64 of wider ones). Appends a warning where samples need more than
+//! the 53 bits of a double.
 SampleArray decode_samples(const SampleEncoding& encoding, std::size_t count,
-                           const std::function<void(std::span<std::byte>)>& fill);
+                           const std::function<void(std::span<std::byte>)>& fill,
+                           std::vector<std::string>& warnings);
 
 } // namespace voroprobe

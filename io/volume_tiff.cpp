@@ -187,13 +187,14 @@ StoredVolume stack_pages(const PageLayout& layout, std::size_t page_count, const
                         .format = "TIFF",
                         .stored_type = std::string(stored_type_name(layout.type)),
                         .has_spacing = false}; // what TIFF calls resolution is dots per inch of paper
-    volume.samples =
-        decode_samples({.type = layout.type}, count,
-                       [&](std::span<std::byte> to)
-                       {
-                           for (std::size_t page = 0; page < page_count; ++page)
-                               fill_page(page, to.subspan(page * layout.byte_count(), layout.byte_count()));
-                       });
+    volume.samples = decode_samples(
+        {.type = layout.type}, count,
+        [&](std::span<std::byte> to)
+        {
+            for (std::size_t page = 0; page < page_count; ++page)
+                fill_page(page, to.subspan(page * layout.byte_count(), layout.byte_count()));
+        },
+        volume.warnings);
     return volume;
 }
 

@@ -119,9 +119,10 @@ StoredVolume read_with(Reader& reader, const std::filesystem::path& path)
     if (static_cast<std::size_t>(array.GetNumberOfTuples()) != count)
         throw InputError("truncated: holds " + std::to_string(array.GetNumberOfTuples()) +
                          " samples, expected " + std::to_string(count));
-    volume.samples = decode_samples({.type = type}, count,
-                                    [&](std::span<std::byte> to)
-                                    { std::memcpy(to.data(), array.GetVoidPointer(0), to.size()); });
+    volume.samples = decode_samples(
+        {.type = type}, count,
+        [&](std::span<std::byte> to) { std::memcpy(to.data(), array.GetVoidPointer(0), to.size()); },
+        volume.warnings);
     return volume;
 }
 

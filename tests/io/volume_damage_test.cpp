@@ -1,6 +1,8 @@
 //! Files that must be refused with one clear line, without a crash, without output and without a big
 //! allocation.
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "support/memory.h"
@@ -164,13 +166,43 @@ TEST(DamagedVolume, sizes_below_one_are_refused)
         const std::string text = std::to_string(n);
         expect_has(refusal("v.nii", nifti_of({.size = {6, n, 4}}, bytes())), "size " + text);
         expect_has(refusal("v.mha", meta_with("6 " + text + " 4", "", bytes())), text);
-        EXPECT_NE(refusal("v.nrrd", nrrd_of({"type: short", "endian: little", "dimension: 3",
-                                             "sizes: 6 " + text + " 4", "encoding: raw"},
-                                            bytes())),
-                  "");
+        expect_has(refusal("v.nrrd", nrrd_of({"type: short", "endian: little", "dimension: 3",
+                                              "sizes: 6 " + text + " 4", "encoding: raw"},
+                                             bytes())),
+                   "size '" + text + "', expected whole numbers of at least 1");
         EXPECT_NE(refusal("v.inr", inr_with(text, bytes())), "");
     }
     EXPECT_NE(refusal("v.vti", vti_with("0 -1 0 4 0 3")), "");
+}
+
+TEST(DamagedVolume, sizes_of_a_nrrd_file_are_whole_numbers_with_a_product)
+{
+    const auto refusal_of_sizes = [](const std::string& sizes)
+    {
+        return refusal("v.nrrd", nrrd_of({"type: short", "endian: little", "dimension: 3", "sizes: " + sizes,
+                                          "encoding: raw"},
+                                         bytes()));
+    };
+    for (const char* size : {"5.5", "five", "0x5", "nan", "-9223372036854775809"})
+        expect_has(refusal_of_sizes("6 " + std::string(size) + " 4"), "the header gives the size '");
+    for (const char* sizes : {"4000000000 4000000000 4000000000", "6 99999999999999999999 4"})
+        expect_has(refusal_of_sizes(sizes), "more samples than any memory holds");
+}
+
+TEST(DamagedVolume, a_nifti_header_that_puts_the_samples_nowhere_is_refused_in_a_short_line)
+{
+    std::string content = nifti_of({}, bytes());
+    constexpr std::size_t kVoxOffset = 108;
+    for (const float offset : {-1.0F, 1e30F, std::numeric_limits<float>::quiet_NaN()})
+    {
+        content.replace(kVoxOffset, sizeof(float), to_bytes(offset, std::endian::native));
+        const std::string message = refusal("v.nii", content);
+        expect_has(message, "puts the samples at byte ");
+        expect_has(message, ", expected 352 to 1e+15");
+    }
+    expect_has(
+        refusal("v.nii", content.replace(kVoxOffset, sizeof(float), to_bytes(1e30F, std::endian::native))),
+        "at byte 1e+30,");
 }
 
 TEST(DamagedVolume, a_meta_image_is_placed_by_the_right_number_of_finite_numbers)

@@ -429,9 +429,48 @@ TEST(VolumeFormats, a_nrrd_file_in_another_unit_than_mm_is_warned_of)
     const std::string microns = with_units("\"um\" \"um\" \"um\"");
     const ReadVolume read = read_content("v.nrrd", microns);
     ASSERT_EQ(read.warnings.size(), 1U);
-    expect_has(read.warnings.front(), "\"um\"");
+    expect_has(read.warnings.front(), "'um'");
     EXPECT_TRUE(read_content("v.nrrd", microns, {.spacing = Vec3{1, 1, 1}}).warnings.empty());
     EXPECT_TRUE(read_content("v.nrrd", with_units("\"mm\" \"mm\" \"mm\"")).warnings.empty());
+}
+
+TEST(VolumeFormats, the_units_of_the_axes_of_a_nrrd_file_outside_a_space_are_heeded_too)
+{
+    const auto warnings = [](const std::string& units)
+    {
+        return read_content("v.nrrd", nrrd_of({"type: uchar", "dimension: 4", "sizes: 6 5 4 1",
+                                               "spacings: 2 3 4 1", "units: " + units, "encoding: raw"},
+                                              std::string(120, 'x')))
+            .warnings;
+    };
+    ASSERT_EQ(warnings("\"mm\" \"mm\" \"inch\" \"s\"").size(), 1U);
+    expect_has(warnings("\"mm\" \"mm\" \"inch\" \"s\"").front(), "the unit 'inch'");
+    EXPECT_TRUE(warnings("\"mm\" \"mm\" \"mm\" \"s\"").empty());
+}
+
+TEST(VolumeFormats, whole_numbers_that_a_double_cannot_hold_are_counted)
+{
+    const auto warnings = [](const auto& samples, std::int16_t datatype)
+    {
+        return read_content("v.nii", nifti_of({.datatype = datatype}, to_bytes(samples, std::endian::native)))
+            .warnings;
+    };
+    constexpr std::int64_t kLast = std::int64_t{1} << 53; // from here on only every other number
+    std::vector<std::int64_t> signed_samples = ramp<std::int64_t>();
+    signed_samples[0] = kLast;
+    signed_samples[1] = -kLast;
+    signed_samples[2] = std::int64_t{1} << 60;
+    signed_samples[3] = std::numeric_limits<std::int64_t>::min();
+    EXPECT_TRUE(warnings(signed_samples, 1024).empty());
+    signed_samples[0] = kLast + 1;
+    signed_samples[1] = -kLast - 1;
+    ASSERT_EQ(warnings(signed_samples, 1024).size(), 1U);
+    expect_has(warnings(signed_samples, 1024).front(), "beyond 2^53 and lose their last digits: 2 ");
+
+    std::vector<std::uint64_t> unsigned_samples = ramp<std::uint64_t>();
+    unsigned_samples[7] = std::numeric_limits<std::uint64_t>::max();
+    ASSERT_EQ(warnings(unsigned_samples, 1280).size(), 1U);
+    expect_has(warnings(unsigned_samples, 1280).front(), ": 1 ");
 }
 
 TEST(VolumeFormats, given_spacing_overrides_that_of_the_file)
