@@ -21,7 +21,7 @@ set(public_headers
     src/mesh/triangle_mesh.h src/mesh/topology.h src/mesh/measures.h
     oracles/surface_oracle.h oracles/trilinear_oracle.h oracles/vdb_oracle.h oracles/implicit_oracle.h
     oracles/implicit_domain.h oracles/implicit_expression.h oracles/scalar_field.h
-    oracles/sphere_union_oracle.h
+    oracles/sphere_union_oracle.h oracles/triangle_mesh_oracle.h
     src/mesher/meshing_options.h src/mesher/seeded_mesher.h
     io/volume_reader.h io/mesh_writer.h io/mesh_reader.h)
 foreach(header ${public_headers})
