@@ -50,6 +50,22 @@ std::string distinct_text(std::size_t distinct_values)
     return distinct_values == 0 ? "more than 4096" : count_text(distinct_values);
 }
 
+bool has_finite_sample(const VolumeInfo& info)
+{
+    const auto& [x, y, z] = info.lattice.size;
+    return info.statistics.nan_count + info.statistics.infinite_count < x * y * z;
+}
+
+std::string values_text(const VolumeInfo& info)
+{
+    const VolumeStatistics& statistics = info.statistics;
+    if (!has_finite_sample(info))
+        return "no sample is a finite number";
+    return number_text(statistics.min) + " to " + number_text(statistics.max) + ", mean " +
+           number_text(statistics.mean) + ", " + distinct_text(statistics.distinct_values) + " different" +
+           (statistics.integer_valued ? ", whole numbers" : "");
+}
+
 std::string suggestion_lines(const std::vector<SuggestedIsovalue>& suggestions)
 {
     std::string text;
@@ -92,15 +108,10 @@ VolumeInfo volume_info(const std::filesystem::path& path, const ReadOptions& opt
 std::string volume_info_text(const VolumeInfo& info)
 {
     const VolumeStatistics& statistics = info.statistics;
-    std::string text =
-        info_line("file", info.path + " (" + info.format + ", " + info.stored_type + ")") +
-        lattice_lines(info.lattice) +
-        info_line("values", number_text(statistics.min) + " to " + number_text(statistics.max) + ", mean " +
-                                number_text(statistics.mean) + ", " +
-                                distinct_text(statistics.distinct_values) + " different" +
-                                (statistics.integer_valued ? ", whole numbers" : "")) +
-        info_line("not finite", count_text(statistics.nan_count) + " NaN, " +
-                                    count_text(statistics.infinite_count) + " infinite");
+    std::string text = info_line("file", info.path + " (" + info.format + ", " + info.stored_type + ")") +
+                       lattice_lines(info.lattice) + info_line("values", values_text(info)) +
+                       info_line("not finite", count_text(statistics.nan_count) + " NaN, " +
+                                                   count_text(statistics.infinite_count) + " infinite");
     if (info.label_map)
         text +=
             info_line("note", "looks like a label map: give --isovalue, 0.5 for everything that is not 0");
@@ -120,9 +131,11 @@ std::string volume_info_json(const VolumeInfo& info)
     for (const SuggestedIsovalue& s : info.suggestions)
         suggestions.push_back({{"value", s.value}, {"source", s.source}, {"share_inside", s.share_inside}});
     Json json = lattice_json(info.path, info.format, info.stored_type, info.lattice);
-    json["min"] = statistics.min;
-    json["max"] = statistics.max;
-    json["mean"] = statistics.mean;
+    const auto if_finite = [finite = has_finite_sample(info)](double value)
+    { return finite ? Json(value) : Json(nullptr); };
+    json["min"] = if_finite(statistics.min);
+    json["max"] = if_finite(statistics.max);
+    json["mean"] = if_finite(statistics.mean);
     json["nan_count"] = statistics.nan_count;
     json["infinite_count"] = statistics.infinite_count;
     json["integer_valued"] = statistics.integer_valued;

@@ -85,6 +85,19 @@ TEST_F(InfoTest, samples_that_are_not_numbers_are_counted)
     EXPECT_EQ(info.at("infinite_count"), 24 * 24);
 }
 
+TEST_F(InfoTest, a_volume_without_any_finite_sample_has_no_range)
+{
+    Phantom empty = ball_phantom();
+    empty.field = [](const Point3& p) { return p.x < 5.5 ? INFINITY : std::nan(""); };
+    write_phantom(empty, folder_ / "empty.mha");
+    const json info = info_of(folder_ / "empty.mha");
+    for (const char* key : {"min", "max", "mean"})
+        EXPECT_TRUE(info.at(key).is_null()) << key;
+    const std::string text = run({"info", folder_ / "empty.mha"}).out;
+    EXPECT_NE(text.find("no sample is a finite number"), std::string::npos) << text;
+    EXPECT_EQ(text.find("0 to 0"), std::string::npos) << text;
+}
+
 TEST_F(InfoTest, a_label_map_is_called_one)
 {
     Phantom labels = ball_phantom();
