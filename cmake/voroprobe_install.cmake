@@ -17,11 +17,12 @@ install(TARGETS
 set(public_headers
     src/support/error.h src/support/progress.h
     src/geometry/vec3.h src/geometry/segment3.h src/geometry/box3.h src/geometry/affine_transform.h
+    src/geometry/oriented_point.h
     src/volume/region.h src/volume/level.h src/volume/grid_geometry.h src/volume/volume.h src/volume/statistics.h
     src/mesh/triangle_mesh.h src/mesh/topology.h src/mesh/measures.h
     oracles/surface_oracle.h oracles/trilinear_oracle.h oracles/vdb_oracle.h oracles/implicit_oracle.h
     oracles/implicit_domain.h oracles/implicit_expression.h oracles/scalar_field.h
-    oracles/sphere_union_oracle.h oracles/triangle_mesh_oracle.h
+    oracles/parametric_oracle.h oracles/point_cloud_oracle.h oracles/sphere_union_oracle.h oracles/triangle_mesh_oracle.h
     src/mesher/meshing_options.h src/mesher/seeded_mesher.h
     io/volume_reader.h io/mesh_writer.h io/mesh_reader.h)
 foreach(header ${public_headers})
