@@ -94,7 +94,7 @@ private:
     openvdb::GridBase::Ptr read_grid(openvdb::io::GridDescriptor& descriptor)
     {
         check_vdb_descriptor(file_);
-        const openvdb::GridBase::Ptr grid = descriptor.read(file_);
+        openvdb::GridBase::Ptr grid = descriptor.read(file_);
         if (inputHasGridOffsets() && !grid->isType<openvdb::FloatGrid>())
         {
             grid->setName(descriptor.gridName());
