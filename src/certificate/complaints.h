@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace voroprobe
+{
+
+//! What is wrong, in one line: "3 edges on one face only, 1 piece inside out".
+class Complaints
+{
+public:
+    //! Nothing where the count is 0.
+    void add(std::size_t count, const std::string& one, const std::string& many);
+
+    //! nullopt where there was nothing to complain about.
+    [[nodiscard]] std::optional<std::string> text() const;
+
+private:
+    std::string text_;
+};
+
+} // namespace voroprobe

@@ -1,0 +1,78 @@
+#include "certificate/mesh_check.h"
+
+#include <algorithm>
+
+#include <tbb/parallel_invoke.h>
+
+#include "certificate/complaints.h"
+
+namespace voroprobe
+{
+
+namespace
+{
+
+std::size_t count_duplicate_faces(const TriangleMesh& mesh)
+{
+    std::vector<TriangleMesh::Face> sorted = mesh.faces;
+    for (TriangleMesh::Face& face : sorted)
+        std::sort(face.begin(), face.end());
+    std::sort(sorted.begin(), sorted.end());
+    return static_cast<std::size_t>(sorted.end() - std::unique(sorted.begin(), sorted.end()));
+}
+
+std::size_t count_flat_faces(const std::vector<FacePair>& pairs)
+{
+    return static_cast<std::size_t>(std::count_if(
+        pairs.begin(), pairs.end(), [](const FacePair& pair) { return pair.first == pair.second; }));
+}
+
+void measure_angles(const TriangleMesh& mesh, std::optional<double> angle_bound_deg, MeshCheck& check)
+{
+    check.angles = measure_angles(mesh);
+    for (std::size_t i = 0; i < kShownAnglesDeg.size(); ++i)
+        check.faces_below_shown_angle[i] = count_faces_below_angle(mesh, kShownAnglesDeg[i]);
+    if (angle_bound_deg)
+        check.faces_below_angle_bound = count_faces_below_angle(mesh, *angle_bound_deg);
+}
+
+} // namespace
+
+MeshCheck check_mesh(const TriangleMesh& mesh, std::optional<double> angle_bound_deg)
+{
+    MeshCheck check;
+    check.vertices = mesh.vertices.size();
+    check.faces = mesh.faces.size();
+    tbb::parallel_invoke([&] { check.self_intersections = self_intersections(mesh); },
+                         [&] { check.topology = analyze_topology(mesh); },
+                         [&] { check.pieces = split_into_pieces(mesh).pieces; },
+                         [&] { measure_angles(mesh, angle_bound_deg, check); },
+                         [&] { check.duplicate_faces = count_duplicate_faces(mesh); });
+    check.flat_faces = count_flat_faces(check.self_intersections);
+    check.area = area(mesh);
+    check.enclosed_volume = enclosed_volume(mesh);
+    check.box = bounding_box(mesh);
+    return check;
+}
+
+std::optional<std::string> defects(const MeshCheck& check)
+{
+    const MeshTopology& topology = check.topology;
+    const std::size_t crossing_pairs = check.self_intersections.size() - check.flat_faces;
+    Complaints complaints;
+    complaints.add(topology.boundary_edges, "edge on one face only", "edges on one face only");
+    complaints.add(topology.non_manifold_edges, "edge on more than two faces",
+                   "edges on more than two faces");
+    complaints.add(topology.non_manifold_vertices, "vertex whose faces are not one fan",
+                   "vertices whose faces are not one fan");
+    complaints.add(topology.misoriented_edges, "edge whose faces wind against each other",
+                   "edges whose faces wind against each other");
+    complaints.add(check.flat_faces, "face without area", "faces without area");
+    complaints.add(crossing_pairs, "pair of faces that cross or overlap",
+                   "pairs of faces that cross or overlap");
+    if (!complaints.text() && check.enclosed_volume <= 0.0)
+        return "faces that wind inward";
+    return complaints.text();
+}
+
+} // namespace voroprobe
