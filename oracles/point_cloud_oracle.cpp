@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iostream>
 #include <map>
 #include <sstream>
@@ -19,6 +20,7 @@
 
 #include "oracles/triangle_mesh_oracle.h"
 #include "support/error.h"
+#include "support/random.h"
 
 namespace voroprobe
 {
@@ -71,6 +73,28 @@ bool are_coplanar(const std::vector<PointWithNormal>& points)
     return std::all_of(points.begin(), points.end(),
                        [&](const PointWithNormal& p)
                        { return CGAL::coplanar(a, b->first, c->first, p.first); });
+}
+
+//! By how much points are moved before the fit, as a fraction of their mean spacing on a surface as large as
+//! their box: far below what the fit does to them.
+constexpr double kJitter = 1e-2;
+
+//! CGAL's refinement gives up, and spoils the fit, where very many points lie on one sphere: so each is moved
+//! by a hair, the same at every run.
+void jitter(std::vector<PointWithNormal>& points)
+{
+    CGAL::Bbox_3 box;
+    for (const PointWithNormal& point : points)
+        box += point.first.bbox();
+    const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
+    const double reach = kJitter * diagonal / std::sqrt(static_cast<double>(points.size()));
+    Random random(0);
+    for (PointWithNormal& point : points)
+    {
+        const double x = random.uniform(-reach, reach);
+        const double y = random.uniform(-reach, reach);
+        point.first = point.first + Kernel::Vector_3(x, y, random.uniform(-reach, reach));
+    }
 }
 
 //! Keeps what CGAL tells developers off the users' terminal.
@@ -191,9 +215,10 @@ private:
 
 TriangleMesh fit_point_cloud(std::span<const OrientedPoint> points, const std::string& name)
 {
-    const std::vector<PointWithNormal> checked = checked_points(points, name);
+    std::vector<PointWithNormal> checked = checked_points(points, name);
     if (are_coplanar(checked))
         throw InputError("the points of " + name + " lie in one plane; they must surround an object");
+    jitter(checked);
     const SilentErrorStream silent;
     Poisson function(checked.begin(), checked.end(), CGAL::First_of_pair_property_map<PointWithNormal>(),
                      CGAL::Second_of_pair_property_map<PointWithNormal>());

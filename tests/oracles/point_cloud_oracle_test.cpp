@@ -39,19 +39,22 @@ double spacing(std::size_t count)
     return kRadius * std::sqrt(4.0 * pi / static_cast<double>(count));
 }
 
+// Points of one sphere are the worst for Delaunay refinement: every ball through four of them is that sphere.
 TEST(PointCloud, of_a_sphere_is_fitted_by_a_closed_surface_near_it)
 {
-    constexpr std::size_t kCount = 1500;
-    const TriangleMesh mesh = fit_point_cloud(sphere_cloud(kCount));
-    const MeshTopology topology = analyze_topology(mesh);
-    EXPECT_TRUE(topology.closed());
-    EXPECT_TRUE(topology.manifold());
-    EXPECT_TRUE(topology.oriented());
-    EXPECT_EQ(topology.components, 1U);
-    EXPECT_EQ(topology.euler_characteristic, 2);
-    EXPECT_NEAR(enclosed_volume(mesh), 4.0 / 3.0 * pi * kRadius * kRadius * kRadius, 0.03 * 4189.0);
-    for (const Point3& p : mesh.vertices)
-        ASSERT_NEAR(norm(p), kRadius, spacing(kCount));
+    for (const std::size_t count : {200U, 500U, 1500U})
+    {
+        const TriangleMesh mesh = fit_point_cloud(sphere_cloud(count));
+        const MeshTopology topology = analyze_topology(mesh);
+        EXPECT_TRUE(topology.closed());
+        EXPECT_TRUE(topology.manifold());
+        EXPECT_TRUE(topology.oriented());
+        EXPECT_EQ(topology.components, 1U);
+        EXPECT_EQ(topology.euler_characteristic, 2);
+        EXPECT_NEAR(enclosed_volume(mesh) / (4.0 / 3.0 * pi * kRadius * kRadius * kRadius), 1.0, 0.05);
+        for (const Point3& p : mesh.vertices)
+            ASSERT_NEAR(norm(p), kRadius, spacing(count));
+    }
 }
 
 TEST(PointCloudOracle, tells_the_sides_of_two_spheres)
