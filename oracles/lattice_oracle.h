@@ -4,11 +4,15 @@
 #include <array>
 #include <concepts>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 
 #include "oracles/grid_walk.h"
+#include "oracles/region_bricks.h"
 #include "oracles/surface_oracle.h"
+#include "volume/cell_topology.h"
+#include "volume/inventory.h"
 #include "volume/lattice_frame.h"
 #include "volume/trilinear_cell.h"
 
@@ -42,14 +46,24 @@ concept LatticeReader = requires(R reader, const GridCell& cell, const GridCellB
         } -> std::same_as<bool>;
 };
 
+//! What a LatticeOracle knows of the regions of its samples; the inventory is that of the heights.
+struct LatticeRegions
+{
+    std::shared_ptr<const Inventory> inventory; //!< may be null: then regions are +1 and -1
+    std::shared_ptr<const HeightField> heights; //!< asked for points on surfaces alone
+};
+
 //! The zero set of the trilinear interpolant over a lattice, closed by the faces of the lattice's box.
 //! `Lattice` knows the samples: `frame()` says where they lie, `reader()` makes a LatticeReader.
 template <class Lattice>
 class LatticeOracle final : public SurfaceOracle
 {
 public:
-    explicit LatticeOracle(Lattice lattice) : lattice_(std::move(lattice)), frame_(lattice_.frame())
+    explicit LatticeOracle(Lattice lattice, LatticeRegions regions = {})
+        : lattice_(std::move(lattice)), frame_(lattice_.frame()), regions_(std::move(regions))
     {
+        if (regions_.inventory)
+            bricks_.emplace(regions_.inventory->runs());
         for (std::size_t axis = 0; axis < 3; ++axis)
         {
             last_sample_[axis] = frame_.sample_count[axis] - 1;
@@ -64,12 +78,44 @@ public:
 
     [[nodiscard]] Region region(const Point3& p) const override
     {
+        if (!domain_.contains(p))
+            return kOuterRegion;
         auto&& reader = lattice_.reader();
-        return domain_.contains(p) && is_inside_at(reader, index_of(p)) ? Region{1} : kOuterRegion;
+        const Point3 p_index = index_of(p);
+        if (bricks_)
+            return listed_region(reader, cell_at(p_index), p_index);
+        return is_inside_at(reader, p_index) ? Region{1} : kOuterRegion;
     }
 
     void find_crossings(const Segment3& segment, std::vector<Crossing>& crossings) const override;
     [[nodiscard]] bool may_cross(const Box3& box) const override;
+
+    [[nodiscard]] SurfaceId surface_between(Region a, Region b) const override
+    {
+        return bricks_ ? regions_.inventory->surface_between(a, b) : SurfaceOracle::surface_between(a, b);
+    }
+    [[nodiscard]] SurfaceId surface_at(const Point3& crossing) const override;
+    [[nodiscard]] std::size_t surface_count() const override
+    {
+        return bricks_ ? regions_.inventory->surfaces().size() : 0;
+    }
+    [[nodiscard]] SurfaceSides sides(SurfaceId surface) const override
+    {
+        if (!bricks_)
+            return SurfaceOracle::sides(surface);
+        const ScanSurface& listed = regions_.inventory->surfaces()[static_cast<std::size_t>(surface)];
+        return {listed.inside, listed.outside};
+    }
+    [[nodiscard]] SurfaceId surface_around(Region region) const override
+    {
+        return bricks_ ? regions_.inventory->surface_around(region) : SurfaceOracle::surface_around(region);
+    }
+    [[nodiscard]] std::vector<std::vector<Point3>> points_on(std::span<const SurfaceId> surfaces,
+                                                             std::size_t most) const override
+    {
+        return bricks_ ? grid_crossings(*regions_.heights, *regions_.inventory, surfaces, most)
+                       : SurfaceOracle::points_on(surfaces, most);
+    }
 
 private:
     //! A segment of index coordinates clipped to the domain.
@@ -84,6 +130,55 @@ private:
     //! By how much may_cross() grows its box, grid edges: covers the rounding of the box's and the surface's
     //! coordinates.
     static constexpr double kBoxRounding = 1e-9;
+
+    //! How far from the surface or the border the rounding of its coordinates may put a crossing, grid edges.
+    static constexpr double kCrossingRounding = 1e-9;
+
+    //! The region by the inventory: that of a corner reached from the point without a change of side.
+    [[nodiscard]] Region listed_region(LatticeReader auto& reader, const GridCell& cell,
+                                       const Point3& p_index) const
+    {
+        if (!reader.is_mixed(cell))
+        {
+            const Region only = bricks_->only_region(cell, reader.is_first_corner_inside(cell));
+            return only != RegionBricks::kSeveral ? only : corner_region(cell, 0);
+        }
+        const CellCorners corners = reader.corners(cell);
+        const Vec3 p_local = local(p_index, cell);
+        const bool inside = trilinear_value(corners, p_local) >= 0.0;
+        if (const Region only = bricks_->only_region(cell, inside); only != RegionBricks::kSeveral)
+            return only;
+        return corner_region(cell,
+                             inside ? corner_uphill(corners, p_local) : corner_downhill(corners, p_local));
+    }
+
+    [[nodiscard]] Region corner_region(const GridCell& cell, std::size_t corner) const
+    {
+        return regions_.inventory->region(cell[0] + static_cast<int>(corner & 1U),
+                                          cell[1] + static_cast<int>(corner >> 1U & 1U),
+                                          cell[2] + static_cast<int>(corner >> 2U));
+    }
+
+    [[nodiscard]] bool is_on_border(const Point3& p_index) const
+    {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if (p_index[axis] <= kCrossingRounding || p_index[axis] >= last_sample_[axis] - kCrossingRounding)
+                return true;
+        return false;
+    }
+
+    //! The surface between the regions uphill and downhill of a crossing in a grid cell. Beyond the border is
+    //! the outer region.
+    [[nodiscard]] SurfaceId surface_in_cell(LatticeReader auto& reader, const GridCell& cell,
+                                            const Point3& crossing_index) const
+    {
+        const CellCorners corners = reader.corners(cell);
+        const Vec3 p = local(crossing_index, cell);
+        const Region inside = corner_region(cell, corner_uphill(corners, p));
+        const Region outside =
+            is_on_border(crossing_index) ? kOuterRegion : corner_region(cell, corner_downhill(corners, p));
+        return regions_.inventory->surface_between(inside, outside);
+    }
 
     //! Index coordinates of a point of the domain, counted from the first sample.
     [[nodiscard]] Point3 index_of(const Point3& p) const
@@ -121,6 +216,8 @@ private:
 
     Lattice lattice_;
     LatticeFrame frame_;
+    LatticeRegions regions_;
+    std::optional<RegionBricks> bricks_; //!< where there is an inventory
     Vec3 inverse_step_;
     Vec3 last_sample_;
     Box3 domain_;
@@ -186,6 +283,31 @@ void LatticeOracle<Lattice>::find_crossings(const Segment3& segment, std::vector
     }
     if (clipped->leaves && is_inside_at(reader, clipped->part.target))
         append(last, true);
+}
+
+template <class Lattice>
+SurfaceId LatticeOracle<Lattice>::surface_at(const Point3& crossing) const
+{
+    if (!bricks_)
+        return SurfaceOracle::surface_at(crossing);
+    auto&& reader = lattice_.reader();
+    const Point3 p_index = index_of(crossing);
+    const SurfaceId found = surface_in_cell(reader, cell_at(p_index), p_index);
+    if (found != kNoSurface)
+        return found;
+
+    // Rounding may have put it into the next grid cell, which the surface only touches.
+    for (int i = 0; i < 8; ++i)
+    {
+        const Point3 nearby{
+            std::clamp(p_index.x + (i & 1 ? 1 : -1) * kCrossingRounding, 0.0, last_sample_.x),
+            std::clamp(p_index.y + (i & 2 ? 1 : -1) * kCrossingRounding, 0.0, last_sample_.y),
+            std::clamp(p_index.z + (i & 4 ? 1 : -1) * kCrossingRounding, 0.0, last_sample_.z)};
+        const SurfaceId next = surface_in_cell(reader, cell_at(nearby), nearby);
+        if (next != kNoSurface)
+            return next;
+    }
+    return kNoSurface;
 }
 
 template <class Lattice>

@@ -79,32 +79,19 @@ private:
     BrickMap bricks_;
 };
 
-//! The volume with samples that are not finite replaced by a value outside.
-template <class Sample>
-std::shared_ptr<const Volume> with_finite_samples(const Volume& volume, double outside)
+void check_inventory(const LevelledVolume& levelled, const std::shared_ptr<const Inventory>& inventory)
 {
-    auto copy = std::make_shared<Volume>(volume);
-    for (Sample& sample : std::get<std::vector<Sample>>(copy->samples))
-        if (!std::isfinite(static_cast<double>(sample)))
-            sample = static_cast<Sample>(outside);
-    return copy;
-}
-
-void check_volume(const std::shared_ptr<const Volume>& volume, double isovalue)
-{
-    if (!volume)
+    if (!levelled.volume)
         throw UsageError("trilinear oracle: no volume");
-    if (!std::isfinite(isovalue))
-        throw UsageError("trilinear oracle: isovalue " + std::to_string(isovalue) +
-                         ", expected a finite number");
-    for (const std::size_t size : volume->geometry.size)
-        if (size < 2 || size > static_cast<std::size_t>(std::numeric_limits<int>::max()))
-            throw UsageError("trilinear oracle: " + std::to_string(size) +
-                             " samples along an axis, expected at least 2 and fewer than 2^31");
-    const std::size_t count = std::visit([](const auto& samples) { return samples.size(); }, volume->samples);
-    if (count != volume->geometry.sample_count())
-        throw UsageError("trilinear oracle: " + std::to_string(count) + " samples, expected " +
-                         std::to_string(volume->geometry.sample_count()));
+    if (!inventory)
+        return;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if (static_cast<std::size_t>(inventory->runs().sample_count()[axis]) !=
+            levelled.volume->geometry.size[axis])
+            throw UsageError("trilinear oracle: inventory of " +
+                             std::to_string(inventory->runs().sample_count()[axis]) + " samples along axis " +
+                             std::to_string(axis) + ", expected " +
+                             std::to_string(levelled.volume->geometry.size[axis]) + " as in the volume");
 }
 
 } // namespace
@@ -112,19 +99,23 @@ void check_volume(const std::shared_ptr<const Volume>& volume, double isovalue)
 std::unique_ptr<SurfaceOracle> make_trilinear_oracle(std::shared_ptr<const Volume> volume, double isovalue,
                                                      InsideIs inside)
 {
-    check_volume(volume, isovalue);
+    return make_trilinear_oracle(level_volume(std::move(volume), isovalue, inside), nullptr);
+}
+
+std::unique_ptr<SurfaceOracle> make_trilinear_oracle(const LevelledVolume& levelled,
+                                                     std::shared_ptr<const Inventory> inventory)
+{
+    check_inventory(levelled, inventory);
+    LatticeRegions regions;
+    if (inventory)
+        regions = {std::move(inventory), make_height_field(levelled)};
     return std::visit(
-        [&]<class Sample>(const std::vector<Sample>& samples) -> std::unique_ptr<SurfaceOracle>
+        [&]<class Sample>(const std::vector<Sample>&) -> std::unique_ptr<SurfaceOracle>
         {
-            LevelSurvey survey(isovalue, inside);
-            for (const Sample sample : samples)
-                survey.include(static_cast<double>(sample));
-            if (survey.not_finite() > 0)
-                volume = with_finite_samples<Sample>(*volume, survey.outside());
             return std::make_unique<LatticeOracle<DenseLattice<Sample>>>(
-                DenseLattice<Sample>(volume, survey.level()));
+                DenseLattice<Sample>(levelled.volume, levelled.level), std::move(regions));
         },
-        volume->samples);
+        levelled.volume->samples);
 }
 
 } // namespace voroprobe

@@ -3,6 +3,8 @@
 #include <memory>
 
 #include "oracles/surface_oracle.h"
+#include "volume/height_field.h"
+#include "volume/inventory.h"
 #include "volume/level.h"
 #include "volume/volume.h"
 
@@ -19,5 +21,10 @@ namespace voroprobe
 //! where samples are not finite).
 std::unique_ptr<SurfaceOracle> make_trilinear_oracle(std::shared_ptr<const Volume> volume, double isovalue,
                                                      InsideIs inside = InsideIs::kAbove);
+
+//! The same with the regions and surfaces of an inventory, which is that of make_height_field(levelled) and
+//! may be null. Memory: one bit per sample more. \throw UsageError where the inventory is of another size.
+std::unique_ptr<SurfaceOracle> make_trilinear_oracle(const LevelledVolume& levelled,
+                                                     std::shared_ptr<const Inventory> inventory);
 
 } // namespace voroprobe

@@ -21,12 +21,6 @@ constexpr double kRootTolerance = 1e-12;
 //! Bisection alone reaches the tolerance in 40 steps; Newton's takes about 4.
 constexpr int kMaxRootSteps = 100;
 
-//! Exact at both ends, and of the sign of a and b where they agree; a + f (b - a) is neither.
-inline double lerp(double a, double b, double f)
-{
-    return (1.0 - f) * a + f * b;
-}
-
 //! Two numbers that go through the same operations side by side, each as it would alone.
 using Pair __attribute__((vector_size(2 * sizeof(double)))) = double;
 

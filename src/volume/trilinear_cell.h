@@ -22,6 +22,12 @@ struct CubicRoots
     std::array<double, 3> parameter{};
 };
 
+//! From a to b. Exact at both ends, and of the sign of a and b where they agree; a + f (b - a) is neither.
+inline double lerp(double a, double b, double f)
+{
+    return (1.0 - f) * a + f * b;
+}
+
 //! The trilinear interpolant at `local`, coordinates in [0, 1]. Exactly the corner's value at a corner; on a
 //! face a function of that face's corners alone, the same to the last bit from both sides; of the corners'
 //! sign where they all have one. These three make signs agree from grid cell to grid cell, and hold because
