@@ -16,6 +16,7 @@ enum class FoundBy : std::uint8_t
 {
     kRefinement,
     kIsolatedVertex,
+    kCellProbe,
     kProbe
 };
 
@@ -25,6 +26,8 @@ FoundBy found_by(VertexHandle vertex)
         return FoundBy::kRefinement;
     if (vertex->info().origin == VertexOrigin::kProbe)
         return FoundBy::kProbe;
+    if (vertex->info().origin == VertexOrigin::kCellProbe)
+        return FoundBy::kCellProbe;
     return vertex->info().initializations > 0 ? FoundBy::kIsolatedVertex : FoundBy::kRefinement;
 }
 
@@ -63,6 +66,7 @@ void count_component_origins(const BoundaryComplex& complex, std::size_t vertice
         return found;
     };
     statistics.components_by_initialization = count(FoundBy::kProbe);
+    statistics.components_by_probing = count(FoundBy::kCellProbe);
     statistics.components_by_isolated_vertex = count(FoundBy::kIsolatedVertex);
     statistics.components_by_refinement = count(FoundBy::kRefinement);
 }

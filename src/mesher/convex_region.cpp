@@ -32,12 +32,6 @@ Range range_along(const std::vector<Point3>& points, const Vec3& direction)
     return range;
 }
 
-const Point3& farthest_from(const std::vector<Point3>& points, const Point3& from)
-{
-    return *std::max_element(points.begin(), points.end(), [&](const Point3& a, const Point3& b)
-                             { return squared_distance(a, from) < squared_distance(b, from); });
-}
-
 //! The box around the points with its last axis along `w` and the thinnest of a few turns around it.
 ThinBox box_along(const std::vector<Point3>& points, const Vec3& w)
 {
@@ -124,6 +118,22 @@ ThinBox thin_bounding_box(const std::vector<Point3>& corners)
             best = box;
     }
     return best;
+}
+
+const Point3& farthest_from(const std::vector<Point3>& points, const Point3& from)
+{
+    const Point3* farthest = points.data();
+    double squared = squared_distance(*farthest, from);
+    for (const Point3& p : points)
+    {
+        const double other = squared_distance(p, from);
+        if (other > squared)
+        {
+            squared = other;
+            farthest = &p;
+        }
+    }
+    return *farthest;
 }
 
 std::array<Vec3, 2> orthonormal_basis(const Vec3& normal)

@@ -19,8 +19,8 @@ struct HalfSpace
     double offset;
 };
 
-//! What probe() covers: a Voronoi cell clipped to the domain, or the domain itself. A convex polytope, cut by a
-//! ball where the domain is one. Coordinates are relative to `origin`, so that a small cell far from the
+//! What probe() covers: a Voronoi cell clipped to the domain, or the domain itself. A convex polytope, cut by
+//! a ball where the domain is one. Coordinates are relative to `origin`, so that a small cell far from the
 //! world's origin loses no digits.
 struct ConvexRegion
 {
@@ -39,8 +39,7 @@ struct ProbedDomain
 
     [[nodiscard]] bool contains(const Point3& p) const
     {
-        return box.contains(p) &&
-               (!ball || squared_distance(p, ball->center) <= ball->radius * ball->radius);
+        return box.contains(p) && (!ball || squared_distance(p, ball->center) <= ball->radius * ball->radius);
     }
 };
 
@@ -50,8 +49,8 @@ void make_domain_region(const ProbedDomain& domain, ConvexRegion& region);
 //! Appends the six half-spaces of a box, relative to `region.origin`.
 void append_box(const Box3& box, ConvexRegion& region);
 
-//! A box in any orientation around a region: the orthonormal `axis`, the last one along the longest side, and the
-//! range of the coordinates dot(axis[k], x) of the region's points.
+//! A box in any orientation around a region: the orthonormal `axis`, the last one along the longest side, and
+//! the range of the coordinates dot(axis[k], x) of the region's points.
 struct ThinBox
 {
     std::array<Vec3, 3> axis;
@@ -63,9 +62,12 @@ struct ThinBox
     [[nodiscard]] Vec3 at(const Vec3& c) const { return c.x * axis[0] + c.y * axis[1] + c.z * axis[2]; }
 };
 
-//! A bounding box of the corners whose smallest face, over a few directions, has the least area: as few and as
-//! long probes as can be. \pre At least one corner. Cost: O(corners).
+//! A bounding box of the corners whose smallest face, over a few directions, has the least area: as few and
+//! as long probes as can be. \pre At least one corner. Cost: O(corners).
 ThinBox thin_bounding_box(const std::vector<Point3>& corners);
+
+//! The point farthest from another; the first of several. \pre At least one point.
+const Point3& farthest_from(const std::vector<Point3>& points, const Point3& from);
 
 //! Two unit vectors that span the plane orthogonal to the unit vector `normal`.
 std::array<Vec3, 2> orthonormal_basis(const Vec3& normal);

@@ -29,7 +29,8 @@ inline constexpr FacetId kUnqueriedFacet =
 enum class VertexOrigin : std::uint8_t
 {
     kSentinel,       //!< far beyond the domain; makes every dual edge a segment
-    kProbe,          //!< hit by probe()
+    kProbe,          //!< hit by probe(domain), or a seed
+    kCellProbe,      //!< hit by probing a Voronoi cell
     kInitialization, //!< second or third point of initialize_component()
     kInventory,      //!< on a surface that had no facet
     kRefinement      //!< center of a bad facet's surface Delaunay ball
@@ -45,6 +46,7 @@ struct VertexData
     VertexOrigin origin = VertexOrigin::kRefinement;
     std::uint8_t initializations = 0; //!< times initialize_component() was called for it
     bool pinched = true;              //!< its odd facets were not one umbrella, or none, when last looked at
+    bool cell_probed = false;         //!< its Voronoi cell was probed, or is part of cells that were
     bool umbrella_unchecked = false;  //!< its restricted facets changed since its umbrella was last looked at
 };
 

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "geometry/vec3.h"
+
 namespace voroprobe
 {
 
@@ -12,6 +14,21 @@ enum class IsolatedVertices
 {
     kOneAtATime, //!< the complete version of the paper: fewest vertices
     kAllAtOnce   //!< fewer refinement rounds
+};
+
+//! How the mesher gets its first point on each component.
+enum class Seeding
+{
+    kProbe,    //!< the paper: probe the domain, isolated vertices, then the Voronoi cells
+    kIsolated, //!< its partial version: probe the domain, isolated vertices (Sec. 5)
+    kRandom    //!< as CGAL does: rays from the center of the domain, then refinement alone (Sec. 3)
+};
+
+//! A closed ball, radius > 0.
+struct Ball
+{
+    Point3 center;
+    double radius;
 };
 
 //! What the mesh has to satisfy. Lengths in scan units.
@@ -36,6 +53,22 @@ struct MeshingOptions
     //! A strict lower bound of the surface's reach, > 0: sets the spacing of probes. Components closer or
     //! thinner may be missed.
     double reach_lower_bound;
+
+    //! A radius of at least the reach such that the volume within every component holds a ball of it: every
+    //! point of the domain is then within this of a probe, rather than within the reach. Unset: the reach.
+    std::optional<double> component_radius = std::nullopt;
+
+    //! Stop probing once so many components are meshed. Unset: probe the whole domain.
+    std::optional<std::size_t> component_count = std::nullopt;
+
+    //! The domain, if it is a ball rather than the oracle's box: it must hold the object.
+    std::optional<Ball> domain_ball = std::nullopt;
+
+    //! Spend no probes where the oracle certifies that there is no surface. The promise is the same, the cost
+    //! follows the surface's area and not the domain's volume.
+    bool certified_skipping = true;
+
+    Seeding seeding = Seeding::kProbe;
 
     IsolatedVertices isolated_vertices = IsolatedVertices::kAllAtOnce;
 

@@ -2,133 +2,326 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "support/error.h"
+#include "support/number_text.h"
 
 namespace voroprobe
 {
 namespace
 {
 
-// Finer lattices would take hours: 2^14 nodes along a side.
-constexpr std::size_t kMostLevels = 14;
+// Finer tilings would take hours.
+constexpr double kMostTiles = 1U << 28U;
 
-//! The axes of a box, longest first.
-std::array<std::size_t, 3> axes_by_length(const Box3& box)
+// Longest side of a box with three probes, in its shorter sides: longer ones are seldom certified, shorter
+// ones cost more than they save.
+constexpr double kLeafLength = 2.0;
+
+// Far above the rounding of coordinates, far below what could be seen.
+constexpr double kRoundingInReaches = 1e-9;
+
+// A tile's half diagonal, its farthest point from the middle, in reaches.
+constexpr double kTileHalfDiagonal = 1.0 - kRoundingInReaches;
+
+//! For each of `count` tiles along a side, when it is probed: those in the middle first, then those in the
+//! middle of what is left on either side, and so on.
+std::vector<std::size_t> middle_first(std::size_t count)
 {
-    std::array<std::size_t, 3> axes{0, 1, 2};
-    const Vec3 extent = box.extent();
-    std::stable_sort(axes.begin(), axes.end(),
-                     [&](std::size_t a, std::size_t b) { return extent[a] > extent[b]; });
-    return axes;
+    std::vector<std::size_t> level(count);
+    const auto assign = [&](auto&& self, std::size_t begin, std::size_t end, std::size_t depth) -> void
+    {
+        if (begin == end)
+            return;
+        const std::size_t middle = begin + (end - begin) / 2;
+        level[middle] = depth;
+        self(self, begin, middle, depth + 1);
+        self(self, middle + 1, end, depth + 1);
+    };
+    assign(assign, 0, count, 0);
+    return level;
 }
 
-//! Probes of one box along its longest side through the nodes of a lattice that is halved level by level, so
-//! that each probe lies where the earlier ones are farthest.
-class BoxProbing
+Vec3 coordinates_along(const std::array<Vec3, 3>& axis, const Vec3& x)
 {
-public:
-    BoxProbing(const SurfaceOracle& oracle, double spacing, std::size_t& query_count)
-        : oracle_(oracle), box_(oracle.domain()), axes_(axes_by_length(box_)), query_count_(query_count)
-    {
-        // Every point of a square lattice cell is within half its diagonal of a node.
-        const double side = std::numbers::sqrt2 * spacing;
-        for (std::size_t a = 0; a < 2; ++a)
-        {
-            const double length = box_.extent()[axes_[a + 1]];
-            while (length > side * static_cast<double>(std::size_t{1} << levels_[a]))
-            {
-                if (++levels_[a] > kMostLevels)
-                    throw UsageError("reach_lower_bound is " + std::to_string(spacing) +
-                                     "; it must be at least " +
-                                     std::to_string(length / static_cast<double>(1U << kMostLevels)) +
-                                     " for a domain of this size");
-            }
-        }
-    }
-
-    std::optional<Point3> run()
-    {
-        if (box_.empty() || !oracle_.may_cross(box_))
-            return std::nullopt;
-        for (std::size_t level = 1; level <= last_level(); ++level)
-        {
-            if (const auto hit = probe_level(level))
-                return hit;
-        }
-        return std::nullopt;
-    }
-
-private:
-    [[nodiscard]] std::size_t last_level() const
-    {
-        return std::max({levels_[0], levels_[1], std::size_t{1}});
-    }
-
-    //! Steps of the lattice along a shorter side at a level; a side is halved no further than it needs.
-    [[nodiscard]] std::size_t steps(std::size_t side, std::size_t level) const
-    {
-        return std::size_t{1} << std::min(level, std::max(levels_[side], std::size_t{1}));
-    }
-
-    // The nodes of this level that are on no coarser one. The box's own sides come with the last level only:
-    // they are the least likely place.
-    std::optional<Point3> probe_level(std::size_t level)
-    {
-        const std::size_t nu = steps(0, level);
-        const std::size_t nv = steps(1, level);
-        const std::size_t u_ratio =
-            nu / steps(0, level - 1); // 1 or 2; a level 0 of one step has the sides only
-        const std::size_t v_ratio = nv / steps(1, level - 1);
-        const std::size_t border = level == last_level() ? 0 : 1;
-        for (std::size_t i = border; i <= nu - border; ++i)
-        {
-            for (std::size_t j = border; j <= nv - border; ++j)
-            {
-                const bool on_side = i == 0 || j == 0 || i == nu || j == nv;
-                if (level > 1 && !on_side && i % u_ratio == 0 && j % v_ratio == 0)
-                    continue; // probed before
-                if (const auto hit = probe(static_cast<double>(i) / static_cast<double>(nu),
-                                           static_cast<double>(j) / static_cast<double>(nv)))
-                    return hit;
-            }
-        }
-        return std::nullopt;
-    }
-
-    //! One probe through the box at fractions (u, v) of its two shorter sides.
-    std::optional<Point3> probe(double u, double v)
-    {
-        Segment3 segment{box_.min, box_.max};
-        for (const auto& [axis, fraction] : {std::pair{axes_[1], u}, std::pair{axes_[2], v}})
-        {
-            segment.source[axis] = box_.min[axis] + fraction * box_.extent()[axis];
-            segment.target[axis] = segment.source[axis];
-        }
-        ++query_count_;
-        oracle_.find_crossings(segment, crossings_);
-        if (crossings_.empty())
-            return std::nullopt;
-        return crossings_.front().point;
-    }
-
-    const SurfaceOracle& oracle_;
-    Box3 box_;
-    std::array<std::size_t, 3> axes_;
-    std::array<std::size_t, 2> levels_{}; //!< halvings that the two shorter sides need
-    std::size_t& query_count_;
-    std::vector<Crossing> crossings_;
-};
+    return {dot(axis[0], x), dot(axis[1], x), dot(axis[2], x)};
+}
 
 } // namespace
 
-std::optional<Point3> probe_domain(const SurfaceOracle& oracle, double spacing, std::size_t& query_count)
+void Probing::begin(const ConvexRegion& region, const IsNews& is_news)
 {
-    return BoxProbing(oracle, spacing, query_count).run();
+    region_ = &region;
+    is_news_ = &is_news;
+    box_ = thin_bounding_box(region.corners);
+    half_spaces_.clear();
+    for (const HalfSpace& half_space : region.half_spaces)
+        half_spaces_.push_back({coordinates_along(box_.axis, half_space.normal), half_space.offset});
+}
+
+Point3 Probing::world(const Vec3& coordinates) const
+{
+    return region_->origin + box_.at(coordinates);
+}
+
+std::optional<Point3> Probing::query(const Vec3& from, const Vec3& to)
+{
+    return query({world(from), world(to)}, *is_news_);
+}
+
+std::optional<Point3> Probing::query(const Segment3& segment, const IsNews& is_news)
+{
+    ++counts_.queries;
+    oracle_.find_crossings(segment, crossings_);
+    for (const Crossing& crossing : crossings_)
+    {
+        if (is_news(crossing.point))
+            return crossing.point;
+        ++counts_.hits_passed_over;
+    }
+    return std::nullopt;
+}
+
+//! The tiles of the smallest face of the thin box, and what of their probes lies in the region.
+class Probing::Tiles
+{
+public:
+    explicit Tiles(Probing& probing) : probing_(probing)
+    {
+        const Vec3 size = probing.box_.size();
+        const double side = std::numbers::sqrt2 * kTileHalfDiagonal * probing.reach_;
+        for (std::size_t a = 0; a < 2; ++a)
+            count_[a] = std::max(std::ceil(size[a] / side), 1.0);
+        if (count_[0] * count_[1] > kMostTiles)
+            throw UsageError(
+                "reach_lower_bound is " + number_text(probing.reach_) + "; it must be at least " +
+                number_text(std::sqrt(0.5 * size.x * size.y / kMostTiles)) + " for a domain of this size");
+        half_ = {0.5 * size.x / count_[0], 0.5 * size.y / count_[1], 0.0};
+    }
+
+    [[nodiscard]] std::size_t count(std::size_t axis) const { return static_cast<std::size_t>(count_[axis]); }
+
+    //! The middle of a tile; its third coordinate is 0.
+    [[nodiscard]] Vec3 middle(std::size_t i, std::size_t j) const
+    {
+        return {probing_.box_.low.x + (2.0 * static_cast<double>(i) + 1.0) * half_.x,
+                probing_.box_.low.y + (2.0 * static_cast<double>(j) + 1.0) * half_.y, 0.0};
+    }
+
+    //! Third coordinates of the ends of the tile's probe; nullopt where the tile misses the region.
+    [[nodiscard]] std::optional<ParameterRange> heights(std::size_t i, std::size_t j) const
+    {
+        const Vec3 center = middle(i, j);
+        ParameterRange range{probing_.box_.low.z, probing_.box_.high.z};
+        for (const HalfSpace& half_space : probing_.half_spaces_)
+        {
+            const Vec3& n = half_space.normal;
+            const double room = half_space.offset - n.x * center.x - n.y * center.y +
+                                std::abs(n.x) * half_.x + std::abs(n.y) * half_.y;
+            if (n.z > 0.0)
+                range.second = std::min(range.second, room / n.z);
+            else if (n.z < 0.0)
+                range.first = std::max(range.first, room / n.z);
+            else if (room < 0.0)
+                return std::nullopt;
+        }
+        if (range.first > range.second || !clip_to_ball(center, range))
+            return std::nullopt;
+        return range;
+    }
+
+private:
+    // The ball grown by the tile.
+    [[nodiscard]] bool clip_to_ball(const Vec3& center, ParameterRange& range) const
+    {
+        const auto& ball = probing_.region_->ball;
+        if (!ball)
+            return true;
+        const Vec3 c = coordinates_along(probing_.box_.axis, ball->center - probing_.region_->origin);
+        const double radius = ball->radius + norm(half_);
+        const double squared_half_chord =
+            radius * radius - (center.x - c.x) * (center.x - c.x) - (center.y - c.y) * (center.y - c.y);
+        if (squared_half_chord < 0.0)
+            return false;
+        const double half_chord = std::sqrt(squared_half_chord);
+        range.first = std::max(range.first, c.z - half_chord);
+        range.second = std::min(range.second, c.z + half_chord);
+        return range.first <= range.second;
+    }
+
+    Probing& probing_;
+    std::array<double, 2> count_{};
+    Vec3 half_; //!< sides of a tile
+};
+
+std::optional<Point3> Probing::probe_all(const ConvexRegion& region, const IsNews& is_news)
+{
+    begin(region, is_news);
+    const Tiles tiles(*this);
+    const auto level_u = middle_first(tiles.count(0));
+    const auto level_v = middle_first(tiles.count(1));
+    const std::size_t last_level = std::max(*std::max_element(level_u.begin(), level_u.end()),
+                                            *std::max_element(level_v.begin(), level_v.end()));
+    const auto at_height = [](Vec3 c, double height)
+    {
+        c.z = height;
+        return c;
+    };
+    for (std::size_t level = 0; level <= last_level; ++level)
+    {
+        for (std::size_t j = 0; j < tiles.count(1); ++j)
+        {
+            for (std::size_t i = 0; i < tiles.count(0); ++i)
+            {
+                if (std::max(level_u[i], level_v[j]) != level)
+                    continue;
+                const auto range = tiles.heights(i, j);
+                if (!range)
+                    continue;
+                const Vec3 middle = tiles.middle(i, j);
+                if (const auto news =
+                        query(at_height(middle, range->first), at_height(middle, range->second)))
+                    return news;
+            }
+        }
+    }
+
+    // Across each row at a height that all its probes reach, or in several parts where there is none.
+    const Vec3 hub = coordinates_along(box_.axis, region.hub);
+    for (std::size_t j = 0; j < tiles.count(1); ++j)
+    {
+        std::optional<std::size_t> first;
+        ParameterRange common{};
+        const auto connect = [&](std::size_t last) -> std::optional<Point3>
+        {
+            const double height = 0.5 * (common.first + common.second);
+            const Vec3 from = at_height(tiles.middle(*first, j), height);
+            const Vec3 to = at_height(tiles.middle(last, j), height);
+            if (*first != last)
+            {
+                if (const auto news = query(from, to))
+                    return news;
+            }
+            return query(norm(hub - from) < norm(hub - to) ? from : to, hub);
+        };
+        for (std::size_t i = 0; i < tiles.count(0); ++i)
+        {
+            const auto range = tiles.heights(i, j);
+            if (first && range && range->first <= common.second && common.first <= range->second)
+            {
+                common = {std::max(common.first, range->first), std::min(common.second, range->second)};
+                continue;
+            }
+            if (first)
+            {
+                if (const auto news = connect(i - 1))
+                    return news;
+            }
+            first = range ? std::optional(i) : std::nullopt;
+            common = range.value_or(ParameterRange{});
+        }
+        if (first)
+        {
+            if (const auto news = connect(tiles.count(0) - 1))
+                return news;
+        }
+    }
+    return std::nullopt;
+}
+
+// All boxes of one depth have the same sides: a box that cannot be certified then never has a smaller one in
+// the middle of a side, which its probes would miss.
+void Probing::plan_halvings()
+{
+    halved_axis_.clear();
+    Vec3 size = box_.size();
+    const double side = std::numbers::sqrt2 * kTileHalfDiagonal * reach_;
+    const Vec3 wanted{side, side, kLeafLength * side};
+    while (true)
+    {
+        const Vec3 ratio{size.x / wanted.x, size.y / wanted.y, size.z / wanted.z};
+        const std::size_t axis = ratio.x > ratio.y && ratio.x > ratio.z ? 0 : ratio.y > ratio.z ? 1 : 2;
+        if (ratio[axis] <= 1.0)
+            return;
+        halved_axis_.push_back(axis);
+        size[axis] *= 0.5;
+    }
+}
+
+std::optional<Point3> Probing::probe_uncertified(const ConvexRegion& region, const IsNews& is_news)
+{
+    begin(region, is_news);
+    plan_halvings();
+    return probe_piece({0.5 * (box_.low + box_.high), 0.5 * box_.size()}, 0);
+}
+
+std::optional<Point3> Probing::probe_piece(const Piece& piece, std::size_t depth)
+{
+    if (is_outside(piece))
+        return std::nullopt;
+    if (is_certified(piece))
+    {
+        ++counts_.boxes_certified;
+        return std::nullopt;
+    }
+    if (depth == halved_axis_.size())
+        return probe_leaf(piece);
+    const std::size_t axis = halved_axis_[depth];
+    Piece half = piece;
+    half.half[axis] *= 0.5;
+    for (const double side : {-1.0, 1.0})
+    {
+        half.center[axis] = piece.center[axis] + side * half.half[axis];
+        if (const auto news = probe_piece(half, depth + 1))
+            return news;
+    }
+    return std::nullopt;
+}
+
+// For certain: it may say no where a corner of the region's is near. The ball is left out: beyond it all is
+// certified soon.
+bool Probing::is_outside(const Piece& piece) const
+{
+    for (const HalfSpace& half_space : half_spaces_)
+    {
+        const Vec3& n = half_space.normal;
+        const double nearest = dot(n, piece.center) - std::abs(n.x) * piece.half.x -
+                               std::abs(n.y) * piece.half.y - std::abs(n.z) * piece.half.z;
+        if (nearest > half_space.offset)
+            return true;
+    }
+    return false;
+}
+
+bool Probing::is_certified(const Piece& piece) const
+{
+    Vec3 half;
+    for (std::size_t a = 0; a < 3; ++a)
+        half[a] = std::abs(box_.axis[0][a]) * piece.half.x + std::abs(box_.axis[1][a]) * piece.half.y +
+                  std::abs(box_.axis[2][a]) * piece.half.z;
+    const Point3 center = world(piece.center);
+    return !oracle_.may_cross({center - half, center + half});
+}
+
+std::optional<Point3> Probing::probe_leaf(const Piece& piece)
+{
+    for (const std::size_t axis : {2U, 0U, 1U})
+    {
+        Vec3 along;
+        along[axis] = piece.half[axis];
+        if (const auto news = query(piece.center - along, piece.center + along))
+            return news;
+    }
+    const Vec3 to_hub = coordinates_along(box_.axis, region_->hub) - piece.center;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+        if (std::abs(to_hub[axis]) > piece.half[axis] + kRoundingInReaches * reach_)
+            return std::nullopt; // the hub is in another box
+    }
+    return query(piece.center, piece.center + to_hub);
 }
 
 } // namespace voroprobe

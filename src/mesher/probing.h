@@ -1,18 +1,91 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <optional>
+#include <vector>
 
+#include "mesher/convex_region.h"
 #include "oracles/surface_oracle.h"
 
 namespace voroprobe
 {
 
-//! probe(Omega): long parallel probes along the longest side of the oracle's domain, the central axis first
-//! and then level by level where the earlier ones are farthest, until one crosses the surface or every point
-//! of the domain is within `spacing` of a probe. Returns the first crossing; nullopt when no probe met the
-//! surface. Adds the queries made to `query_count`. Cost: about A / (2 spacing^2) to 2 A / spacing^2 queries
-//! at most for the smallest side A of the domain. Source: Feree & Alliez 2009, Sec. 4. \throw UsageError
-//! where that would be more than 2^28 queries.
-std::optional<Point3> probe_domain(const SurfaceOracle& oracle, double spacing, std::size_t& query_count);
+//! What probing costs and finds.
+struct ProbeCounts
+{
+    std::size_t queries = 0;          //!< segments asked about
+    std::size_t hits_passed_over = 0; //!< crossings near the mesh
+    std::size_t boxes_certified = 0;  //!< boxes the oracle certified to hold no surface: no probe there
+};
+
+//! Whether a crossing is news: not passed over for being near the mesh.
+using IsNews = std::function<bool(const Point3&)>;
+
+//! probe(C): looks for a crossing that is news in a convex region, so that in the end
+//!
+//! - every point of the region is within `reach` of a probed segment or lies in a box certified to be empty;
+//! - what was probed and certified is connected, and connected to the region's hub.
+//!
+//! That is all the proof of Proposition 4 asks of it: a component around a ball of radius `reach` has a
+//! probed point inside; along the connected set from there to the outside the surface is crossed, and not in
+//! a box certified to be empty. Source: Feree & Alliez 2009, Sec. 4.
+class Probing
+{
+public:
+    //! The oracle and the counts must outlive the object.
+    Probing(const SurfaceOracle& oracle, double reach, ProbeCounts& counts)
+        : oracle_(oracle), reach_(reach), counts_(counts)
+    {
+    }
+
+    //! The paper's probes: along the longest side of a thin bounding box, one through the middle of each tile
+    //! of its smallest face, the central axis first and then level by level where the earlier ones are
+    //! farthest. Each is clipped to the domain and the region, both grown by the tile, so that each point of
+    //! the region has its tile's probe beside it. Then one across each row of tiles and one from each to the
+    //! hub connect them. Returns the first news. Cost: about A / (2 reach^2) queries for a face of area A,
+    //! and O(sqrt(A) / reach) to connect them. \throw UsageError for more than kMostTiles.
+    std::optional<Point3> probe_all(const ConvexRegion& region, const IsNews& is_news);
+
+    //! The same promises at a cost that follows the surface. Halves the thin bounding box, again and again,
+    //! and leaves out what the oracle certifies to be empty: such a box is a probe as thick as itself. In
+    //! what cannot be certified, boxes of about the reach, three probes join the middles of opposite sides:
+    //! they meet each other, and the probes or the certified box beyond each side. Cost: O(log) per box of
+    //! the size of the reach near the surface.
+    std::optional<Point3> probe_uncertified(const ConvexRegion& region, const IsNews& is_news);
+
+    //! One probe. Returns the first news along it.
+    std::optional<Point3> query(const Segment3& segment, const IsNews& is_news);
+
+private:
+    //! A box along the axes of the thin box, by its center and half sides.
+    struct Piece
+    {
+        Vec3 center;
+        Vec3 half;
+    };
+    class Tiles;
+
+    void begin(const ConvexRegion& region, const IsNews& is_news);
+    void plan_halvings();
+    [[nodiscard]] bool is_outside(const Piece& piece) const;
+    [[nodiscard]] bool is_certified(const Piece& piece) const;
+    std::optional<Point3> probe_piece(const Piece& piece, std::size_t depth);
+    std::optional<Point3> probe_leaf(const Piece& piece);
+    std::optional<Point3> query(const Vec3& from, const Vec3& to);
+    [[nodiscard]] Point3 world(const Vec3& coordinates) const;
+
+    const SurfaceOracle& oracle_;
+    double reach_;
+    ProbeCounts& counts_;
+
+    // Of the region at hand.
+    const ConvexRegion* region_ = nullptr;
+    const IsNews* is_news_ = nullptr;
+    ThinBox box_;
+    std::vector<HalfSpace> half_spaces_;   //!< the region's, in coordinates along the box's axes
+    std::vector<std::size_t> halved_axis_; //!< for each depth
+    std::vector<Crossing> crossings_;
+};
 
 } // namespace voroprobe

@@ -56,6 +56,7 @@ void RestrictedDelaunay::insert_sentinels()
         const VertexHandle vertex = triangulation_.insert(cgal_point(center + far * direction));
         vertex->info().index = static_cast<std::uint32_t>(triangulation_.number_of_vertices() - 1);
         vertex->info().origin = VertexOrigin::kSentinel;
+        vertex->info().cell_probed = true;
     }
     for (const DelaunayCell delaunay_cell : triangulation_.finite_cell_handles())
     {
@@ -118,8 +119,33 @@ VertexHandle RestrictedDelaunay::insert(const Point3& p, DelaunayCell start, Ver
             postponed_cells_.push_back(delaunay_cell);
     }
     forget_dead_postponed_cells();
+    note_unprobed(vertex);
     mark_unchecked(vertex);
     return vertex;
+}
+
+// The Voronoi cell of a new vertex is cut out of those of its neighbours: where all of them were probed, so
+// is it. Sentinels' cells lie beyond the domain as soon as there is another vertex.
+void RestrictedDelaunay::note_unprobed(VertexHandle vertex)
+{
+    if (vertex_count() == 1)
+    {
+        unprobed_vertices_.push_back(vertex);
+        return;
+    }
+    const auto is_probed = [&](VertexHandle other) { return other == vertex || other->info().cell_probed; };
+    for (const DelaunayCell delaunay_cell : star_)
+    {
+        for (int i = 0; i < 4; ++i)
+        {
+            if (!is_probed(delaunay_cell->vertex(i)))
+            {
+                unprobed_vertices_.push_back(vertex);
+                return;
+            }
+        }
+    }
+    vertex->info().cell_probed = true;
 }
 
 // Before the zone is retriangulated: facets inside it vanish, those on its boundary are remembered from the

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "mesher/delaunay.h"
@@ -68,6 +69,9 @@ public:
     //! Takes the vertices, sentinels left out, whose odd facets changed since they were last taken.
     std::vector<VertexHandle> take_unchecked_vertices();
 
+    //! Takes the vertices inserted since the last time whose Voronoi cells are not part of probed ones.
+    std::vector<VertexHandle> take_unprobed_vertices() { return std::exchange(unprobed_vertices_, {}); }
+
     //! Facet ids run below this; slots whose crossing_count is 0 are free.
     [[nodiscard]] FacetId facet_slots() const { return static_cast<FacetId>(facets_.size()); }
 
@@ -117,6 +121,7 @@ private:
     void query_or_postpone(DelaunayCell delaunay_cell, int index);
     void carry_over(const ZoneBoundaryFacet& boundary, const Point3& inserted);
     void query_dual_edge(DelaunayCell delaunay_cell, int index, FacetId reuse);
+    void note_unprobed(VertexHandle vertex);
     void mark_unchecked(const RestrictedFacet& facet);
     FacetId allocate_facet();
     void release_facet(FacetId id);
@@ -128,6 +133,7 @@ private:
     std::vector<FacetId> free_facets_;
     std::vector<FacetId> changed_facets_;
     std::vector<VertexHandle> unchecked_vertices_;
+    std::vector<VertexHandle> unprobed_vertices_;
     std::size_t postponed_limit_ = 0; //!< postponed_cells_ is cleared of dead cells when it is as long
     std::vector<DelaunayCell> postponed_cells_; //!< with facets not asked about; some are gone since
 

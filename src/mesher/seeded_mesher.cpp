@@ -1,4 +1,4 @@
-// This file follows, but for the probing of Voronoi cells:
+// This file follows:
 // Hugo Feree and Pierre Alliez, Probing for Surface Mesh Generation through Delaunay Refinement, INRIA
 // RR-8123, 2009, Sec. 4.
 
@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
+#include "mesher/cell_probing.h"
 #include "mesher/faithfulness.h"
 #include "mesher/initialization.h"
-#include "mesher/probing.h"
 #include "mesher/refinement.h"
 #include "mesher/region_repair.h"
 #include "mesher/restricted_delaunay.h"
@@ -33,25 +33,50 @@ class SeededMesher
 public:
     SeededMesher(const SurfaceOracle& oracle, const MeshingOptions& options, ProgressSink* progress)
         : oracle_(oracle), options_(options), restricted_(oracle, statistics_),
-          refinement_(restricted_, options_, statistics_, progress)
+          refinement_(restricted_, options_, statistics_, progress),
+          cell_probing_(restricted_, options_, statistics_)
     {
     }
 
     MeshingResult run()
     {
-        if (const auto first = probe_domain(oracle_, options_.reach_lower_bound, statistics_.queries_probing))
+        if (probe_domain())
         {
-            initialize(refinement_.insert(*first, VertexOrigin::kProbe));
-            refinement_.refine();
-            while (refinement_.status() == MeshingStatus::kDone && initialize_isolated_vertices())
+            do
                 refinement_.refine();
+            while (may_go_on() && (initialize_isolated_vertices() || probe_cells_until_hit()));
         }
         for (int round = 1; refinement_.status() == MeshingStatus::kDone && pursue_inventory(round); ++round)
             refinement_.refine();
-        return result(); // the branch that probes Voronoi cells is left out: docs/design.md, section 3
+        return result();
     }
 
 private:
+    [[nodiscard]] bool may_go_on() const { return refinement_.status() == MeshingStatus::kDone; }
+
+    //! P0 = probe(Omega), initialize_component(P0). False when there is no surface.
+    bool probe_domain()
+    {
+        const auto hit = cell_probing_.probe_domain();
+        if (hit)
+            initialize(refinement_.insert(hit->point, VertexOrigin::kProbe));
+        return hit.has_value();
+    }
+
+    //! Pops Q and probes until a crossing is news. The crossing becomes an isolated vertex, as a rule; false
+    //! when Q is empty.
+    bool probe_cells_until_hit()
+    {
+        if (options_.seeding != Seeding::kProbe)
+            return false;
+        const Stopwatch stopwatch;
+        const auto hit = cell_probing_.probe_cells_until_hit([] { return false; });
+        statistics_.seconds_probing += stopwatch.seconds();
+        if (hit)
+            refinement_.insert(hit->point, VertexOrigin::kCellProbe, hit->near);
+        return hit.has_value();
+    }
+
     //! False where no triangle could be begun at the vertex. Otherwise the vertex is looked at again after
     //! refinement: if it is still isolated, the next attempt is smaller.
     bool initialize(VertexHandle vertex)
@@ -89,7 +114,7 @@ private:
         std::vector<Point3> places = find_unfaithful_places(restricted_);
         if (missing.empty())
         {
-            const std::vector<Point3> gaps = find_gaps(restricted_);
+            const std::vector<Point3> gaps = find_gaps(restricted_, options_.floor_radius);
             places.insert(places.end(), gaps.begin(), gaps.end());
         }
         return refinement_.lower_floor(places, round) || seeds > 0;
@@ -114,6 +139,7 @@ private:
     Stopwatch stopwatch_;
     RestrictedDelaunay restricted_;
     Refinement refinement_;
+    CellProbing cell_probing_;
 };
 
 void require(bool condition, const std::string& name, double value, const std::string& range)

@@ -23,6 +23,12 @@ enum class MeshingStatus
 struct MeshingStatistics
 {
     std::size_t queries_probing = 0;        //!< oracle segment queries by probe()
+    std::size_t probe_hits = 0;             //!< crossings found by probing Voronoi cells and inserted
+    std::size_t probe_hits_passed_over = 0; //!< crossings met by probe() nearer to the mesh than the reach
+    std::size_t cells_probed = 0;           //!< Voronoi cells probed, each as often as it was begun
+    std::size_t cells_without_probes =
+        0; //!< Voronoi cells whose edges, asked about anyway, are probes enough
+    std::size_t cells_with_one_probe = 0;   //!< Voronoi cells for which the axis is enough beside them
     std::size_t queries_initialization = 0; //!< by initialize_component()
     std::size_t queries_refinement = 0;     //!< about dual edges, whoever inserted the point
     std::size_t region_lookups = 0;         //!< oracle point queries
@@ -50,6 +56,7 @@ struct MeshingStatistics
     //! Contacts that could not be taken apart: the inside around them was given up.
     std::size_t contacts_carved = 0;
 
+    double seconds_probing = 0.0;    //!< wall clock of probing, part of seconds_refinement
     double seconds_refinement = 0.0; //!< wall clock of the whole run: seeding, refinement, extraction
 };
 

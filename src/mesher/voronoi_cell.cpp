@@ -55,67 +55,50 @@ void VoronoiCell::assign(const RestrictedDelaunay& restricted, VertexHandle vert
 {
     vertex_ = vertex;
     star_.clear();
+    corners_.clear();
     restricted.triangulation().incident_cells(vertex, std::back_inserter(star_));
+    for (const DelaunayCell delaunay_cell : star_)
+        corners_.push_back(delaunay_cell->info().circumcenter);
 }
 
 double VoronoiCell::size_within(const Box3& domain) const
 {
     const Point3 p = site();
-    double squared_size = 0.0;
-    for (const DelaunayCell delaunay_cell : star_)
-        squared_size = std::max(squared_size, squared_distance(delaunay_cell->info().circumcenter, p));
     Vec3 to_corner;
     for (std::size_t axis = 0; axis < 3; ++axis)
         to_corner[axis] = std::max(p[axis] - domain.min[axis], domain.max[axis] - p[axis]);
-    return std::sqrt(std::min(squared_size, squared_norm(to_corner)));
+    return std::sqrt(std::min(squared_distance(farthest_from(corners_, p), p), squared_norm(to_corner)));
 }
 
 bool VoronoiCell::is_within(const ProbedDomain& domain) const
 {
-    return std::all_of(star_.begin(), star_.end(), [&](DelaunayCell delaunay_cell)
-                       { return domain.contains(delaunay_cell->info().circumcenter); });
+    return std::all_of(corners_.begin(), corners_.end(),
+                       [&](const Point3& corner) { return domain.contains(corner); });
 }
 
-bool VoronoiCell::is_thin(double reach) const
+Cylinder VoronoiCell::cylinder() const
 {
-    const auto farthest_from = [&](const Point3& from)
-    {
-        Point3 farthest = from;
-        double squared = 0.0;
-        for (const DelaunayCell delaunay_cell : star_)
-        {
-            const double other = squared_distance(delaunay_cell->info().circumcenter, from);
-            if (other > squared)
-            {
-                squared = other;
-                farthest = delaunay_cell->info().circumcenter;
-            }
-        }
-        return farthest;
-    };
-    const Point3 end = farthest_from(site());
-    const Vec3 w = normalized(farthest_from(end) - end);
+    const Point3 end = farthest_from(corners_, site());
+    const Vec3 w = normalized(farthest_from(corners_, end) - end);
     const auto [u, v] = orthonormal_basis(w);
-    double low_u = 0.0;
-    double high_u = 0.0;
-    double low_v = 0.0;
-    double high_v = 0.0;
-    for (const DelaunayCell delaunay_cell : star_)
+    Vec3 low;
+    Vec3 high;
+    for (const Point3& corner : corners_)
     {
-        const Vec3 x = delaunay_cell->info().circumcenter - end;
-        low_u = std::min(low_u, dot(u, x));
-        high_u = std::max(high_u, dot(u, x));
-        low_v = std::min(low_v, dot(v, x));
-        high_v = std::max(high_v, dot(v, x));
+        const Vec3 x = corner - end;
+        const Vec3 along{dot(u, x), dot(v, x), dot(w, x)};
+        low = {std::min(low.x, along.x), std::min(low.y, along.y), std::min(low.z, along.z)};
+        high = {std::max(high.x, along.x), std::max(high.y, along.y), std::max(high.z, along.z)};
     }
-    const Point3 middle = end + 0.5 * (low_u + high_u) * u + 0.5 * (low_v + high_v) * v;
-    return std::all_of(star_.begin(), star_.end(),
-                       [&](DelaunayCell delaunay_cell)
-                       {
-                           const Vec3 x = delaunay_cell->info().circumcenter - middle;
-                           const double along = dot(w, x);
-                           return squared_norm(x) - along * along <= reach * reach;
-                       });
+    const Point3 middle = end + 0.5 * (low.x + high.x) * u + 0.5 * (low.y + high.y) * v;
+    double squared_radius = 0.0;
+    for (const Point3& corner : corners_)
+    {
+        const Vec3 x = corner - middle;
+        const double along = dot(w, x);
+        squared_radius = std::max(squared_radius, squared_norm(x) - along * along);
+    }
+    return {{middle + low.z * w, middle + high.z * w}, std::sqrt(squared_radius)};
 }
 
 void VoronoiCell::clip_to(const ProbedDomain& domain, ConvexRegion& region) const
@@ -125,21 +108,20 @@ void VoronoiCell::clip_to(const ProbedDomain& domain, ConvexRegion& region) cons
     region.corners.clear();
     region.ball = domain.ball;
     append_bisectors(region);
-    const auto nearest = std::min_element(star_.begin(), star_.end(),
-                                          [&](DelaunayCell a, DelaunayCell b)
-                                          {
-                                              return squared_distance(a->info().circumcenter, region.origin) <
-                                                     squared_distance(b->info().circumcenter, region.origin);
-                                          });
-    region.hub = (*nearest)->info().circumcenter - region.origin;
     if (is_within({domain.box, std::nullopt}))
     {
-        for (const DelaunayCell delaunay_cell : star_)
-            region.corners.push_back(delaunay_cell->info().circumcenter - region.origin);
-        return;
+        for (const Point3& corner : corners_)
+            region.corners.push_back(corner - region.origin);
     }
-    append_clipped_corners(domain, region);
-    append_box(domain.box, region);
+    else
+    {
+        append_clipped_corners(domain, region);
+        append_box(domain.box, region);
+    }
+    if (!region.corners.empty()) // each is on a Voronoi edge or on the domain's boundary
+        region.hub =
+            *std::min_element(region.corners.begin(), region.corners.end(),
+                              [](const Vec3& a, const Vec3& b) { return squared_norm(a) < squared_norm(b); });
 }
 
 // The points as near to the site as to a Delaunay neighbour.
@@ -179,8 +161,8 @@ void VoronoiCell::append_clipped_corners(const ProbedDomain& domain, ConvexRegio
         for (int i = 0; i < 4; ++i)
         {
             const DelaunayCell neighbor = delaunay_cell->neighbor(i);
-            if (delaunay_cell->vertex(i) == vertex_ || &*neighbor < &*delaunay_cell)
-                continue;
+            if (delaunay_cell->vertex(i) == vertex_)
+                continue; // the others are met from both ends, which does no harm
             const Segment3 edge{delaunay_cell->info().circumcenter, neighbor->info().circumcenter};
             if (const auto range = clip_to_box(edge, domain.box))
                 append(edge, *range);

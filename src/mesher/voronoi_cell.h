@@ -8,6 +8,13 @@
 namespace voroprobe
 {
 
+//! Whatever lies within `radius` of the axis, between the planes across it through its ends.
+struct Cylinder
+{
+    Segment3 axis;
+    double radius;
+};
+
 //! The Voronoi cell of a vertex. One object serves many cells in turn, to spare allocations.
 class VoronoiCell
 {
@@ -18,20 +25,21 @@ public:
     [[nodiscard]] VertexHandle vertex() const { return vertex_; }
     [[nodiscard]] Point3 site() const { return position(vertex_); }
 
-    //! The Delaunay cells around the vertex, whose circumcenters are the corners of the Voronoi cell.
+    //! The Delaunay cells around the vertex.
     [[nodiscard]] const std::vector<DelaunayCell>& star() const { return star_; }
 
-    //! Largest distance from the site to a point of the cell in the domain, at most: the size by which cells are
-    //! probed. It never grows when points are inserted.
+    //! Their circumcenters, in the same order: the corners of the Voronoi cell.
+    [[nodiscard]] const std::vector<Point3>& corners() const { return corners_; }
+
+    //! Largest distance from the site to a point of the cell in the domain, at most: the size by which cells
+    //! are probed. It never grows when points are inserted.
     [[nodiscard]] double size_within(const Box3& domain) const;
 
     //! Whether every corner lies in the domain.
     [[nodiscard]] bool is_within(const ProbedDomain& domain) const;
 
-    //! Whether every point of the cell is within `reach` of one of its edges, for certain. It is where the cell
-    //! fits into a cylinder of that radius: each section across is a polygon with its corners on edges, and a
-    //! point of a convex polygon is no farther from the nearest corner than the radius of a disk around all.
-    [[nodiscard]] bool is_thin(double reach) const;
+    //! A cylinder around the cell, along its longest extent.
+    [[nodiscard]] Cylinder cylinder() const;
 
     //! The cell clipped to the domain, relative to the site.
     void clip_to(const ProbedDomain& domain, ConvexRegion& region) const;
@@ -42,6 +50,7 @@ private:
 
     VertexHandle vertex_;
     std::vector<DelaunayCell> star_;
+    std::vector<Point3> corners_;
 };
 
 } // namespace voroprobe

@@ -254,9 +254,13 @@ TEST(Phantom, the_marschner_lobb_signal)
 TEST(Phantom, the_marschner_lobb_signal_closed_by_its_box)
 {
     // The rim is a crease, up to the border of the domain: refinement cuts it off at the floor, and the floor
-    // is what keeps crumbs from being left along it.
-    const MeshingOptions options{
-        .max_facet_radius = 0.6, .max_facet_distance = 0.05, .floor_radius = 0.2, .reach_lower_bound = 0.3};
+    // is what keeps crumbs from being left along it. Its reach is 0: probing would meet the rim farther from
+    // the mesh than any reach promised, and begin crumbs there.
+    const MeshingOptions options{.max_facet_radius = 0.6,
+                                 .max_facet_distance = 0.05,
+                                 .floor_radius = 0.2,
+                                 .reach_lower_bound = 0.3,
+                                 .seeding = Seeding::kIsolated};
     const Box3 box{{-6, -6, -6}, {6, 6, 6}};
     const ImplicitOracle oracle(marschner_lobb_phantom({0, 0, 0}, 10.0), box, 0.6, 1e-3);
     const TriangleMesh mesh = mesh_surface(oracle, options).mesh;

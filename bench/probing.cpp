@@ -1,0 +1,134 @@
+// What the probing of Voronoi cells costs beside refinement, on one volume: with certified skipping, without
+// it, or in a domain many times larger.
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "io/volume_reader.h"
+#include "mesher/seeded_mesher.h"
+#include "oracles/trilinear_oracle.h"
+
+namespace voroprobe::bench
+{
+namespace
+{
+
+struct Options
+{
+    std::string volume;
+    double isovalue = 0.0;
+    double size = 2.0;
+    double angle = 30.0;
+    double distance = 0.3;
+    double reach = 0.0; //!< 0: the shortest side of a voxel
+    double domain_scale = 1.0;
+    bool without_skipping = false;
+    std::size_t repeat = 3;
+};
+
+//! Another oracle in a domain larger by a factor about the same center.
+class WiderOracle final : public SurfaceOracle
+{
+public:
+    WiderOracle(const SurfaceOracle& oracle, double scale) : oracle_(oracle), domain_(oracle.domain())
+    {
+        const Vec3 half = 0.5 * scale * domain_.extent();
+        const Point3 center = domain_.center();
+        domain_ = {center - half, center + half};
+    }
+
+    [[nodiscard]] Box3 domain() const override { return domain_; }
+    [[nodiscard]] Region region(const Point3& p) const override { return oracle_.region(p); }
+    void find_crossings(const Segment3& segment, std::vector<Crossing>& crossings) const override
+    {
+        oracle_.find_crossings(segment, crossings);
+    }
+    [[nodiscard]] bool may_cross(const Box3& box) const override { return oracle_.may_cross(box); }
+
+private:
+    const SurfaceOracle& oracle_;
+    Box3 domain_;
+};
+
+MeshingOptions meshing_options(const Options& options, double voxel_side)
+{
+    MeshingOptions meshing{.max_facet_radius = options.size,
+                           .max_facet_distance = options.distance,
+                           .min_facet_angle_deg = options.angle,
+                           .floor_radius = 0.25 * voxel_side,
+                           .reach_lower_bound = options.reach > 0.0 ? options.reach : voxel_side};
+    meshing.certified_skipping = !options.without_skipping;
+    return meshing;
+}
+
+void print(const MeshingStatistics& with, double without_probing_s)
+{
+    const double cells = static_cast<double>(
+        std::max<std::size_t>(1, with.cells_probed + with.cells_without_probes + with.cells_with_one_probe));
+    std::cout << "refinement " << without_probing_s << " s without probing; probing " << with.seconds_probing
+              << " s, ratio " << with.seconds_probing / without_probing_s << ", "
+              << 1e6 * with.seconds_probing / cells << " us per Voronoi cell\n"
+              << "  insertions " << with.insertions << "; Voronoi cells thin " << with.cells_without_probes
+              << ", with one probe " << with.cells_with_one_probe << ", probed " << with.cells_probed
+              << "; queries " << with.queries_probing << " (refinement " << with.queries_refinement
+              << "), hits passed over " << with.probe_hits_passed_over << ", inserted " << with.probe_hits
+              << "\n  components by probe(domain) " << with.components_by_initialization
+              << ", isolated vertices " << with.components_by_isolated_vertex << ", refinement "
+              << with.components_by_refinement << ", probing " << with.components_by_probing << '\n';
+}
+
+int run(const Options& options)
+{
+    const auto volume = std::make_shared<const Volume>(read_volume(options.volume).volume);
+    const Vec3& spacing = volume->geometry.spacing;
+    const auto oracle = make_trilinear_oracle(volume, options.isovalue);
+    const WiderOracle wider(*oracle, options.domain_scale);
+    MeshingOptions meshing = meshing_options(options, std::min({spacing.x, spacing.y, spacing.z}));
+    double least_without = 1e300;
+    std::optional<MeshingStatistics> best;
+    for (std::size_t i = 0; i < options.repeat; ++i)
+    {
+        meshing.seeding = Seeding::kIsolated;
+        least_without = std::min(least_without, mesh_surface(wider, meshing).statistics.seconds_refinement);
+        meshing.seeding = Seeding::kProbe;
+        const MeshingStatistics statistics = mesh_surface(wider, meshing).statistics;
+        if (!best || statistics.seconds_probing < best->seconds_probing)
+            best = statistics;
+    }
+    print(*best, least_without);
+    return 0;
+}
+
+} // namespace
+} // namespace voroprobe::bench
+
+int main(int argc, char** argv)
+{
+    voroprobe::bench::Options options;
+    CLI::App app("Cost of probing Voronoi cells");
+    app.add_option("VOLUME", options.volume)->required();
+    app.add_option("--isovalue", options.isovalue)->required();
+    app.add_option("--size", options.size, "mm")->capture_default_str();
+    app.add_option("--angle", options.angle, "degrees")->capture_default_str();
+    app.add_option("--distance", options.distance, "mm")->capture_default_str();
+    app.add_option("--reach", options.reach, "mm; default: the shortest side of a voxel");
+    app.add_option("--domain-scale", options.domain_scale, "make the domain so many times longer and wider")
+        ->capture_default_str();
+    app.add_flag("--without-skipping", options.without_skipping,
+                 "spend the paper's probes on empty space too");
+    app.add_option("--repeat", options.repeat, "runs; the quickest counts")->capture_default_str();
+    CLI11_PARSE(app, argc, argv);
+    try
+    {
+        return voroprobe::bench::run(options);
+    }
+    catch (const std::exception& error)
+    {
+        std::cerr << "bench_probing: " << error.what() << '\n';
+        return 1;
+    }
+}

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "mesher/meshing_options.h"
+#include "mesher/probe_queue.h"
+#include "mesher/probing.h"
+#include "mesher/restricted_delaunay.h"
+#include "mesher/seeded_mesher.h"
+#include "mesher/voronoi_cell.h"
+
+namespace voroprobe
+{
+
+//! A crossing found by probing that is news.
+struct ProbeHit
+{
+    Point3 point;
+    VertexHandle near; //!< the vertex whose Voronoi cell was probed; null for the domain
+};
+
+//! The probing of Voronoi cells, with the queue Q of those that were not probed yet.
+//!
+//! A crossing is passed over where it is nearer than the reach to the mesh as the surface's stand-in: to a
+//! vertex, or to an odd facet that lies itself within the reach of the surface (center of its surface
+//! Delaunay ball to its circumcenter). The paper's criteria are so strong that every facet is; with coarser
+//! ones a facet can stray to where another component may be, and must not hide that. What is passed over then
+//! lies within 2 reaches of a meshed component, as the proof of Proposition 4 wants it.
+//!
+//! What is not passed over is at least the reach away from every vertex: the cells of the points inserted
+//! exclude each other's halves, so probing ends after at most 6 volume(domain) / (pi reach^3) hits or so
+//! whatever the criteria.
+class CellProbing
+{
+public:
+    //! All references must outlive the object.
+    CellProbing(RestrictedDelaunay& restricted, const MeshingOptions& options, MeshingStatistics& statistics);
+
+    //! probe(Omega).
+    std::optional<ProbeHit> probe_domain();
+
+    //! Pops Q and probes until a crossing is news; nullopt when Q is empty. `stop` ends it early.
+    std::optional<ProbeHit> probe_cells_until_hit(const std::function<bool()>& stop);
+
+private:
+    void collect_unprobed_cells();
+    bool probe_at_once();
+    std::optional<Point3> probe(const ConvexRegion& region, const IsNews& is_news);
+    std::optional<Point3> probe_cell(VertexHandle vertex);
+    [[nodiscard]] bool is_news(const Point3& crossing);
+    [[nodiscard]] bool is_explained(const Point3& crossing, const std::vector<DelaunayCell>& delaunay_cells);
+
+    RestrictedDelaunay& restricted_;
+    MeshingOptions options_;
+    MeshingStatistics& statistics_;
+    ProbedDomain domain_;
+    double probe_radius_; //!< every point is within this of a probe
+    ProbeCounts counts_;
+    Probing probing_;
+    ProbeQueue unprobed_cells_;
+    VoronoiCell voronoi_cell_;
+    ConvexRegion region_;
+};
+
+} // namespace voroprobe
