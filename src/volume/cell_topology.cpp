@@ -22,6 +22,9 @@ using Face = std::array<std::uint8_t, 4>;
 constexpr std::array<Face, 6> kFaces{
     {{0, 2, 4, 6}, {1, 3, 5, 7}, {0, 1, 4, 5}, {2, 3, 6, 7}, {0, 1, 2, 3}, {4, 5, 6, 7}}};
 
+//! A body saddle's value, of heights up to 1, that counts as 0: some roundings. Integer samples often meet it.
+constexpr double kSaddleRounding = 1e-14;
+
 constexpr CornerParts kAllApart{0, 1, 2, 3, 4, 5, 6, 7};
 
 //! Eight names are replaced faster than a forest of them is walked.
@@ -160,10 +163,10 @@ BodySaddles find_body_saddles(const CellCorners& corners)
     return saddles;
 }
 
-//! Joins the corners in the parts that touch the lines of constant value through a body saddle.
+//! \pre The heights are at most 1. Joins the corners in the parts that touch the lines of constant value through a body saddle.
 void join_through_saddle(const CellCorners& corners, CornerCode code, const Vec3& saddle, CornerParts& parts)
 {
-    const bool inside = trilinear_value(corners, saddle) >= 0.0;
+    const bool inside = trilinear_value(corners, saddle) >= -kSaddleRounding;
     std::size_t joined = 8;
     for (std::size_t axis = 0; axis < 3; ++axis)
         for (const double end : {0.0, 1.0})
@@ -173,7 +176,7 @@ void join_through_saddle(const CellCorners& corners, CornerCode code, const Vec3
             const std::size_t corner =
                 inside ? corner_uphill(corners, on_face) : corner_downhill(corners, on_face);
             if (is_inside_corner(code, corner) != inside)
-                continue; // a saddle of value 0 but for rounding: both answers are right
+                continue; // a saddle of value 0 but for rounding
             if (joined != 8)
                 join(parts, joined, corner);
             joined = corner;
@@ -242,7 +245,7 @@ CellTopology connect_corners(const CellCorners& corners)
         scaled[corner] = corners[corner] / largest;
     const BodySaddles saddles = find_body_saddles(scaled);
     for (std::size_t i = 0; i < saddles.count; ++i)
-        join_through_saddle(corners, code, saddles.at[i], topology.in_cell);
+        join_through_saddle(scaled, code, saddles.at[i], topology.in_cell);
     return topology;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -23,7 +24,10 @@ void for_each_slab(std::size_t slices, std::size_t threads,
 {
     if (threads == 1)
         return work(0, slices);
-    tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : static_cast<int>(threads));
+    // More than there are would only make TBB complain.
+    const int available = tbb::info::default_concurrency();
+    tbb::task_arena arena(
+        threads == 0 ? available : static_cast<int>(std::min(threads, static_cast<std::size_t>(available))));
     arena.execute(
         [&]
         {
