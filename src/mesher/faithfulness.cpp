@@ -1,7 +1,53 @@
 #include "mesher/faithfulness.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 namespace voroprobe
 {
+namespace
+{
+
+//! The n-th of `count` unit vectors spread evenly: a spiral from pole to pole. Source: Swinbank & Purser,
+//! Fibonacci grids, 2006.
+Vec3 direction(std::size_t n, std::size_t count)
+{
+    const double z = 1.0 - (2.0 * static_cast<double>(n) + 1.0) / static_cast<double>(count);
+    const double longitude = 2.0 * std::numbers::pi * (static_cast<double>(n) * std::numbers::phi);
+    const double radius = std::sqrt(std::max(0.0, 1.0 - z * z));
+    return {radius * std::cos(longitude), radius * std::sin(longitude), z};
+}
+
+//! First hits, on the surface, of `count` rays from the middle of some of its points, spread as on an
+//! ellipsoid around them: the corners of flat specks lie on one circle, on which no facet would stand.
+std::vector<Point3> hits_of_rays(const SurfaceOracle& oracle, SurfaceId surface,
+                                 std::span<const Point3> points, std::size_t count)
+{
+    constexpr double kReachInExtents = 2.0;
+    Box3 box;
+    for (const Point3& p : points)
+        box.include(p);
+    std::vector<Point3> hits;
+    if (box.empty())
+        return hits;
+    std::vector<Crossing> crossings;
+    for (std::size_t n = 0; n < count; ++n)
+    {
+        const Vec3 unit = direction(n, count);
+        const Vec3 extent = box.extent();
+        const Vec3 ray{unit.x * extent.x, unit.y * extent.y, unit.z * extent.z};
+        oracle.find_crossings({box.center(), box.center() + kReachInExtents * ray}, crossings);
+        const auto hit = std::find_if(crossings.begin(), crossings.end(),
+                                      [&](const Crossing& crossing)
+                                      { return oracle.surface_at(crossing.point) == surface; });
+        if (hit != crossings.end())
+            hits.push_back(hit->point);
+    }
+    return hits;
+}
+
+} // namespace
 
 std::vector<SurfaceId> find_missing_surfaces(const RestrictedDelaunay& restricted)
 {
@@ -43,14 +89,18 @@ std::vector<Point3> find_unfaithful_places(const RestrictedDelaunay& restricted)
     return places;
 }
 
-std::size_t seed_surfaces(const std::vector<SurfaceId>& surfaces, std::size_t most,
+std::size_t seed_surfaces(std::span<const SurfaceId> surfaces, std::size_t points, Seeds seeds,
                           const SurfaceOracle& oracle, Refinement& refinement)
 {
     std::size_t inserted = 0;
     VertexHandle last;
-    for (const std::vector<Point3>& points : oracle.points_on(surfaces, most))
+    const std::vector<std::vector<Point3>> points_of_surface = oracle.points_on(surfaces, points);
+    for (std::size_t i = 0; i < surfaces.size(); ++i)
     {
-        for (const Point3& p : points)
+        std::vector<Point3> places = points_of_surface[i];
+        if (seeds == Seeds::kOnRays)
+            places = hits_of_rays(oracle, surfaces[i], places, points);
+        for (const Point3& p : places)
         {
             const VertexHandle vertex = refinement.insert(p, VertexOrigin::kInventory, last);
             if (vertex == VertexHandle())

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "mesher/refinement.h"
@@ -17,8 +18,15 @@ std::vector<SurfaceId> find_missing_surfaces(const RestrictedDelaunay& restricte
 //! floor. Cost: O(facets).
 std::vector<Point3> find_unfaithful_places(const RestrictedDelaunay& restricted);
 
-//! Gives each surface up to `most` points, spread over it. Returns the number of points inserted.
-std::size_t seed_surfaces(const std::vector<SurfaceId>& surfaces, std::size_t most,
+//! Where the seeds of a surface come from.
+enum class Seeds
+{
+    kOnGrid, //!< its crossings with the edges of the grid
+    kOnRays  //!< its crossings with rays from the middle of those
+};
+
+//! Gives each surface up to `points` points, spread over it. Returns the number of points inserted.
+std::size_t seed_surfaces(std::span<const SurfaceId> surfaces, std::size_t points, Seeds seeds,
                           const SurfaceOracle& oracle, Refinement& refinement);
 
 } // namespace voroprobe

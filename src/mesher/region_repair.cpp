@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesher/cell_shape.h"
 #include "mesher/region_components.h"
 
 namespace voroprobe
@@ -28,22 +29,6 @@ constexpr int kCostOfElsewhere = 1;
 
 constexpr auto kNoComponent = std::numeric_limits<std::uint32_t>::max();
 
-Point3 centroid(DelaunayCell delaunay_cell)
-{
-    const auto [a, b, c, d] = corner_positions(delaunay_cell);
-    return 0.25 * (a + b + c + d);
-}
-
-double longest_edge(DelaunayCell delaunay_cell)
-{
-    const std::array<Point3, 4> p = corner_positions(delaunay_cell);
-    double longest = 0.0;
-    for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t j = i + 1; j < 4; ++j)
-            longest = std::max(longest, squared_distance(p[i], p[j]));
-    return std::sqrt(longest);
-}
-
 //! A Delaunay cell reached on the way between two pieces of a region.
 struct Step
 {
@@ -60,8 +45,8 @@ struct Step
 class RegionRepair
 {
 public:
-    explicit RegionRepair(RestrictedDelaunay& restricted)
-        : oracle_(restricted.oracle()), triangulation_(restricted.triangulation())
+    RegionRepair(RestrictedDelaunay& restricted, double floor_radius)
+        : oracle_(restricted.oracle()), triangulation_(restricted.triangulation()), floor_(floor_radius)
     {
     }
 
@@ -93,12 +78,12 @@ public:
         {
             const std::vector<DelaunayCell> cells =
                 is_largest_[c] ? std::vector<DelaunayCell>{} : cells_of(c);
-            if (cells.empty() || lies_elsewhere(cells))
+            if (cells.empty() || is_crumb(cells))
                 continue;
             for (const DelaunayCell delaunay_cell : find_way(cells))
             {
                 if (delaunay_cell->info().region != components_[c].region)
-                    places.push_back(centroid(delaunay_cell));
+                    places.push_back(centroid(corner_positions(delaunay_cell)));
             }
         }
         return places;
@@ -151,7 +136,7 @@ private:
             const int own_conflicts = conflicts(delaunay_cell, own);
             if (own_conflicts == 0)
                 continue;
-            const Region here = oracle_.region(centroid(delaunay_cell));
+            const Region here = oracle_.region(centroid(corner_positions(delaunay_cell)));
             std::vector<Region> candidates{here};
             for (int i = 0; i < 4; ++i)
             {
@@ -191,7 +176,7 @@ private:
             const std::vector<DelaunayCell> cells = cells_of(c);
             if (cells.empty())
                 continue; // changed since
-            if (lies_elsewhere(cells))
+            if (is_crumb(cells))
             {
                 dissolve(cells);
                 ++report_.crumbs_dissolved;
@@ -237,15 +222,18 @@ private:
         return cells;
     }
 
-    [[nodiscard]] bool lies_elsewhere(const std::vector<DelaunayCell>& cells) const
+    //! Whether cells of one region are a by-product of slivers: thinner than the floor throughout, or where
+    //! the region is not.
+    [[nodiscard]] bool is_crumb(const std::vector<DelaunayCell>& cells) const
     {
-        return std::none_of(cells.begin(), cells.end(),
-                            [&](DelaunayCell delaunay_cell)
-                            {
-                                return !triangulation_.is_infinite(delaunay_cell) &&
-                                       oracle_.region(centroid(delaunay_cell)) ==
-                                           delaunay_cell->info().region;
-                            });
+        const auto is_infinite = [&](DelaunayCell c) { return triangulation_.is_infinite(c); };
+        if (std::any_of(cells.begin(), cells.end(), is_infinite))
+            return false;
+        const auto is_thin = [&](DelaunayCell c) { return least_altitude(corner_positions(c)) <= floor_; };
+        const auto is_elsewhere = [&](DelaunayCell c)
+        { return oracle_.region(centroid(corner_positions(c))) != c->info().region; };
+        return std::all_of(cells.begin(), cells.end(), is_thin) ||
+               std::all_of(cells.begin(), cells.end(), is_elsewhere);
     }
 
     //! Gives the cells to the region they share most facets with.
@@ -332,8 +320,9 @@ private:
             return 0.0;
         if (triangulation_.is_infinite(delaunay_cell) || is_inside(region) == is_inside(own))
             return std::nullopt;
-        const double length = longest_edge(delaunay_cell);
-        return oracle_.region(centroid(delaunay_cell)) == own ? kDiscountInRegion * length : length;
+        const double length = longest_edge(corner_positions(delaunay_cell));
+        return oracle_.region(centroid(corner_positions(delaunay_cell))) == own ? kDiscountInRegion * length
+                                                                                : length;
     }
 
     static void change_region(DelaunayCell delaunay_cell, Region region, std::uint32_t component)
@@ -351,6 +340,7 @@ private:
 
     const SurfaceOracle& oracle_;
     const Triangulation& triangulation_;
+    double floor_;
     std::vector<RegionComponent> components_;
     std::vector<bool> is_largest_;
     RegionRepairReport report_;
@@ -358,14 +348,16 @@ private:
 
 } // namespace
 
-std::vector<Point3> find_gaps(RestrictedDelaunay& restricted)
+std::vector<Point3> find_gaps(RestrictedDelaunay& restricted, double floor_radius)
 {
-    return restricted.oracle().surface_count() == 0 ? std::vector<Point3>{} : RegionRepair(restricted).gaps();
+    return restricted.oracle().surface_count() == 0 ? std::vector<Point3>{}
+                                                    : RegionRepair(restricted, floor_radius).gaps();
 }
 
-RegionRepairReport repair_regions(RestrictedDelaunay& restricted)
+RegionRepairReport repair_regions(RestrictedDelaunay& restricted, double floor_radius)
 {
-    return restricted.oracle().surface_count() == 0 ? RegionRepairReport{} : RegionRepair(restricted).run();
+    return restricted.oracle().surface_count() == 0 ? RegionRepairReport{}
+                                                    : RegionRepair(restricted, floor_radius).run();
 }
 
 } // namespace voroprobe

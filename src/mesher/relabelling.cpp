@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mesher/boundary_complex.h"
+#include "mesher/cell_shape.h"
 #include "support/union_find.h"
 
 namespace voroprobe
@@ -29,19 +30,6 @@ int count_odd_facets(DelaunayCell delaunay_cell)
     for (int i = 0; i < 4; ++i)
         count += separates_sides(delaunay_cell, i) ? 1 : 0;
     return count;
-}
-
-//! The least distance of a tetrahedron's corner from the plane of the others.
-double least_altitude(const std::array<Point3, 4>& p)
-{
-    const double six_volumes = std::abs(dot(p[1] - p[0], cross(p[2] - p[0], p[3] - p[0])));
-    double largest_two_areas = 0.0;
-    for (std::size_t i = 0; i < 4; ++i)
-    {
-        const Point3& a = p[(i + 1) % 4];
-        largest_two_areas = std::max(largest_two_areas, norm(cross(p[(i + 2) % 4] - a, p[(i + 3) % 4] - a)));
-    }
-    return largest_two_areas > 0.0 ? six_volumes / largest_two_areas : 0.0;
 }
 
 //! The region on the other side of a cell's odd facets; nullopt where a third region touches the cell.
@@ -93,7 +81,9 @@ public:
             if (vertex->info().pinched && vertex->info().origin != VertexOrigin::kSentinel)
                 pinched.push_back(vertex);
         }
-        std::size_t changed = dissolve_crumbs(pinched);
+        // With an inventory, repair_regions() has dissolved them, and a single cell may stand for a speck.
+        const bool inventory = restricted_.oracle().surface_count() > 0;
+        std::size_t changed = inventory ? 0 : dissolve_crumbs(pinched);
         changed += sweep(pinched, Cells::kAgreeingWithOracle);
         changed += sweep(pinched, Cells::kAny);
         return changed;

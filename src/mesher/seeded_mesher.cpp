@@ -110,7 +110,8 @@ private:
             return false;
         const std::vector<SurfaceId> missing = find_missing_surfaces(restricted_);
         const std::size_t seeds =
-            seed_surfaces(missing, kSeedsPerSurface << (2 * round), oracle_, refinement_);
+            seed_surfaces(missing, kSeedsPerSurface << (2 * round),
+                          round == 1 ? Seeds::kOnGrid : Seeds::kOnRays, oracle_, refinement_);
         std::vector<Point3> places = find_unfaithful_places(restricted_);
         if (missing.empty())
         {

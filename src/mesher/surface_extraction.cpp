@@ -76,7 +76,7 @@ ExtractedSurface extract_surface(RestrictedDelaunay& restricted, const MeshingOp
                                  MeshingStatistics& statistics)
 {
     statistics.facets_at_floor = restricted.count_unresolved_facets();
-    const RegionRepairReport repair = repair_regions(restricted);
+    const RegionRepairReport repair = repair_regions(restricted, options.floor_radius);
     statistics.cells_reconciled = repair.cells_reconciled;
     statistics.crumbs_dissolved = repair.crumbs_dissolved;
     statistics.necks_bridged = repair.necks_bridged;
