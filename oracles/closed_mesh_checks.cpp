@@ -30,7 +30,7 @@ using Edge = std::array<std::uint32_t, 2>;
 
 std::string place_text(const Point3& p)
 {
-    return '(' + number_text(p.x) + ", " + number_text(p.y) + ", " + number_text(p.z) + ')';
+    return std::string("(") + number_text(p.x) + ", " + number_text(p.y) + ", " + number_text(p.z) + ')';
 }
 
 //! Every edge of every face, sorted, smaller corner first.
@@ -138,7 +138,7 @@ void require_closed(const TriangleMesh& mesh, const std::string& name)
             throw InputError(name + " has a vertex with a coordinate that is not a finite number");
     const std::vector<Edge> odd = odd_edges(mesh);
     if (!odd.empty())
-        throw InputError(name + " is not closed: " + std::to_string(odd.size()) +
+        throw InputError(name + " is not closed: " + count_text(odd.size()) +
                          " edges are on an odd number of faces, the first at " +
                          place_text(mesh.vertices[odd.front()[0]]) + "; it must bound an object");
 }
@@ -158,7 +158,7 @@ void require_no_crossing_faces(const TriangleMesh& mesh, const std::string& name
     CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), look);
     if (count > 0)
         throw InputError(
-            name + " crosses itself: " + std::to_string(count) + " pairs of faces meet, the first at " +
+            name + " crosses itself: " + count_text(count) + " pairs of faces meet, the first at " +
             place_text(mesh.corner(mesh.faces[first], 0)) + "; which side is inside would be a guess");
 }
 

@@ -99,6 +99,19 @@ IntervalSlope coordinate(double source, double target)
             interval::operator-(point(target), point(source))};
 }
 
+//! 1 - truth
+template <class Value>
+Value opposite(const Value& truth)
+{
+    return arithmetic::subtract(constant_value<Value>(1.0), truth);
+}
+
+template <class Value>
+Value is_zero(const Value& a)
+{
+    return arithmetic::equal(a, constant_value<Value>(0.0));
+}
+
 template <class Value>
 Value whole_power(const Value& base, int exponent)
 {
@@ -164,6 +177,55 @@ ExpressionTape::Slot ExpressionTape::combine(Operation operation, Slot a, Slot b
 }
 
 template <class Value>
+Value ExpressionTape::result_of(const Step& step, const std::vector<Value>& results)
+{
+    const Value& a = results[step.a];
+    const Value& b = results[step.b];
+    switch (step.operation)
+    {
+    case Operation::kConstant:
+        return constant_value<Value>(step.constant);
+    case Operation::kAdd:
+        return arithmetic::add(a, b);
+    case Operation::kSubtract:
+        return arithmetic::subtract(a, b);
+    case Operation::kMultiply:
+        return arithmetic::multiply(a, b);
+    case Operation::kDivide:
+        return arithmetic::divide(a, b);
+    case Operation::kPower:
+        return arithmetic::power(a, b);
+    case Operation::kWholePower:
+        return whole_power(a, step.exponent);
+    case Operation::kNegate:
+        return arithmetic::negate(a);
+    case Operation::kMinimum:
+        return arithmetic::minimum(a, b);
+    case Operation::kMaximum:
+        return arithmetic::maximum(a, b);
+    case Operation::kAtan2:
+        return arithmetic::angle(a, b);
+    case Operation::kLess:
+        return arithmetic::less(a, b);
+    case Operation::kLessOrEqual:
+        return arithmetic::less_or_equal(a, b);
+    case Operation::kEqual:
+        return arithmetic::equal(a, b);
+    case Operation::kNotEqual:
+        return opposite(arithmetic::equal(a, b));
+    case Operation::kAnd:
+        return arithmetic::both(a, b);
+    case Operation::kOr:
+        return opposite(arithmetic::both(is_zero(a), is_zero(b)));
+    case Operation::kChoose:
+        return arithmetic::choose(a, b, results[step.c]);
+    case Operation::kUnary:
+        return arithmetic::apply(*step.function, a);
+    }
+    return a;
+}
+
+template <class Value>
 Value ExpressionTape::evaluate(const Value& x, const Value& y, const Value& z) const
 {
     thread_local std::vector<Value> results;
@@ -172,62 +234,7 @@ Value ExpressionTape::evaluate(const Value& x, const Value& y, const Value& z) c
     results[1] = y;
     results[2] = z;
     for (std::size_t i = 3; i < steps_.size(); ++i)
-    {
-        const Step& step = steps_[i];
-        const Value& a = results[step.a];
-        const Value& b = results[step.b];
-        const auto result = [&]() -> Value
-        {
-            const Value one = constant_value<Value>(1.0);
-            switch (step.operation)
-            {
-            case Operation::kConstant:
-                return constant_value<Value>(step.constant);
-            case Operation::kAdd:
-                return arithmetic::add(a, b);
-            case Operation::kSubtract:
-                return arithmetic::subtract(a, b);
-            case Operation::kMultiply:
-                return arithmetic::multiply(a, b);
-            case Operation::kDivide:
-                return arithmetic::divide(a, b);
-            case Operation::kPower:
-                return arithmetic::power(a, b);
-            case Operation::kWholePower:
-                return whole_power(a, step.exponent);
-            case Operation::kNegate:
-                return arithmetic::negate(a);
-            case Operation::kMinimum:
-                return arithmetic::minimum(a, b);
-            case Operation::kMaximum:
-                return arithmetic::maximum(a, b);
-            case Operation::kAtan2:
-                return arithmetic::angle(a, b);
-            case Operation::kLess:
-                return arithmetic::less(a, b);
-            case Operation::kLessOrEqual:
-                return arithmetic::less_or_equal(a, b);
-            case Operation::kEqual:
-                return arithmetic::equal(a, b);
-            case Operation::kNotEqual:
-                return arithmetic::subtract(one, arithmetic::equal(a, b));
-            case Operation::kAnd:
-                return arithmetic::both(a, b);
-            case Operation::kOr: // not (not a and not b)
-            {
-                const Value zero = constant_value<Value>(0.0);
-                return arithmetic::subtract(
-                    one, arithmetic::both(arithmetic::equal(a, zero), arithmetic::equal(b, zero)));
-            }
-            case Operation::kChoose:
-                return arithmetic::choose(a, b, results[step.c]);
-            case Operation::kUnary:
-                return arithmetic::apply(*step.function, a);
-            }
-            return a;
-        };
-        results[i] = result();
-    }
+        results[i] = result_of(steps_[i], results);
     return results[result_];
 }
 

@@ -93,6 +93,8 @@ private:
     [[nodiscard]] Slot power(Slot base, Slot exponent);
 
     template <class Value>
+    [[nodiscard]] static Value result_of(const Step& step, const std::vector<Value>& results);
+    template <class Value>
     [[nodiscard]] Value evaluate(const Value& x, const Value& y, const Value& z) const;
 
     std::vector<Step> steps_; //!< the first three stand for x, y and z
