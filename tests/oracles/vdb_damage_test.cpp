@@ -117,7 +117,8 @@ TEST_F(DamagedVdb, any_number_of_the_header_may_lie_without_costing_memory)
             refused += !refusal(with_number(whole, at, lie)).empty();
         }
     EXPECT_GT(refused, end);
-    constexpr std::size_t kAllowedGrowth = std::size_t{100} << 20U;
+    // A quarter of what the largest lies ask for; sanitizers keep freed memory for a while.
+    constexpr std::size_t kAllowedGrowth = std::size_t{512} << 20U;
     EXPECT_LT(peak_memory_bytes(), before + kAllowedGrowth);
 }
 
