@@ -9,7 +9,8 @@ set(header_folder ${CMAKE_INSTALL_INCLUDEDIR}/voroprobe)
 
 install(TARGETS voroprobe RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS
-        voroprobe_support voroprobe_geometry voroprobe_volume voroprobe_mesh voroprobe_oracles voroprobe_mesher voroprobe_io
+        voroprobe_support voroprobe_geometry voroprobe_volume voroprobe_mesh voroprobe_oracles voroprobe_mesher
+        voroprobe_certificate voroprobe_io
     EXPORT voroprobe
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 
@@ -25,6 +26,8 @@ set(public_headers
     oracles/implicit_domain.h oracles/implicit_expression.h oracles/scalar_field.h
     oracles/parametric_oracle.h oracles/point_cloud_oracle.h oracles/sphere_union_oracle.h oracles/triangle_mesh_oracle.h
     src/mesher/meshing_options.h src/mesher/seeded_mesher.h
+    src/certificate/certificate.h src/certificate/criteria_exceptions.h src/certificate/mesh_check.h src/certificate/mesh_pieces.h
+    src/certificate/nearest_crossing.h src/certificate/self_intersections.h src/certificate/surface_distance.h
     io/volume_reader.h io/mesh_writer.h io/mesh_reader.h)
 foreach(header ${public_headers})
     cmake_path(GET header PARENT_PATH folder)

@@ -7,7 +7,7 @@
 namespace voroprobe
 {
 
-//! What is wrong, in one line: "3 edges on one face only, 1 piece inside out".
+//! What is wrong, in one line: "3 edges on one face only, 1 surface inside out".
 class Complaints
 {
 public:
