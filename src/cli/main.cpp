@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/check_command.h"
 #include "cli/info_command.h"
 #include "cli/interrupt.h"
 #include "cli/mesh_command.h"
@@ -51,6 +52,9 @@ int run(int argc, const char* const* argv)
     voroprobe::InfoArguments info_arguments;
     CLI::App& info = *app.add_subcommand("info", "Tell what a volume holds and which isovalues suit it");
     voroprobe::add_info_arguments(info, info_arguments);
+    voroprobe::CheckArguments check_arguments;
+    CLI::App& check = *app.add_subcommand("check", "Check a mesh made by anyone, alone or against its scan");
+    voroprobe::add_check_arguments(check, check_arguments);
 
     try
     {
@@ -64,8 +68,10 @@ int run(int argc, const char* const* argv)
         voroprobe::run_mesh_command(mesh_arguments);
     if (info.parsed())
         voroprobe::run_info_command(info_arguments);
-    if (!mesh.parsed() && !info.parsed())
-        throw voroprobe::UsageError("a command is required: mesh or info (see voroprobe --help)");
+    if (check.parsed())
+        voroprobe::run_check_command(check_arguments);
+    if (app.get_subcommands().empty())
+        throw voroprobe::UsageError("a command is required: mesh, info or check (see voroprobe --help)");
     return static_cast<int>(ExitStatus::kDone);
 }
 

@@ -62,6 +62,7 @@ SurfaceInput load_volume_surface(const SurfaceRequest& request)
 
     const GridPlacement placement{volume->geometry.world_from_grid, volume->geometry.source_index_from_grid};
     SurfaceInput input{.oracle = nullptr,
+                       .inventory = nullptr,
                        .placement = placement,
                        .lattice = file_lattice(volume->geometry.size, placement),
                        .format = std::move(read.format),
@@ -76,7 +77,10 @@ SurfaceInput load_volume_surface(const SurfaceRequest& request)
     const double border_share = border_share_inside(*volume, input.isovalue.value, inside);
     if (border_share > kSuspiciousBorderShare)
         input.warnings.push_back(mistaken_sides_warning(border_share, inside));
-    input.oracle = make_trilinear_oracle(volume, input.isovalue.value, inside);
+    const LevelledVolume levelled = level_volume(volume, input.isovalue.value, inside);
+    if (request.inventory == InventoryOfSurfaces::kWanted)
+        input.inventory = std::make_shared<const Inventory>(*make_height_field(levelled));
+    input.oracle = make_trilinear_oracle(levelled, input.inventory);
     return input;
 }
 
@@ -100,6 +104,7 @@ SurfaceInput load_vdb_surface(const SurfaceRequest& request)
     check_vdb_isovalue(surface);
     const GridPlacement placement{surface.world_from_grid, surface.source_index_from_grid};
     return {.oracle = std::move(surface.oracle),
+            .inventory = nullptr,
             .placement = placement,
             .lattice = file_lattice(surface.active_size, placement),
             .format = "OpenVDB " + surface.grid_class,

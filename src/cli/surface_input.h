@@ -12,9 +12,17 @@
 #include "io/volume_reader.h"
 #include "oracles/surface_oracle.h"
 #include "oracles/trilinear_oracle.h"
+#include "volume/inventory.h"
 
 namespace voroprobe
 {
+
+//! Whether the oracle is to know the surfaces of the scan one by one.
+enum class InventoryOfSurfaces
+{
+    kNotWanted,
+    kWanted
+};
 
 //! Which surface of which file.
 struct SurfaceRequest
@@ -24,13 +32,15 @@ struct SurfaceRequest
     std::optional<double> isovalue = std::nullopt; //!< unset: automatic
     std::optional<InsideIs> inside =
         std::nullopt; //!< unset: below for level sets in .vdb files, above otherwise
+    InventoryOfSurfaces inventory = InventoryOfSurfaces::kNotWanted;
 };
 
 //! A surface ready to be meshed and what there is to say of the file it came from, dense volume or sparse
 //! grid alike.
 struct SurfaceInput
 {
-    std::unique_ptr<SurfaceOracle> oracle; //!< frame: grid
+    std::unique_ptr<SurfaceOracle> oracle;                //!< frame: grid
+    std::shared_ptr<const Inventory> inventory = nullptr; //!< where it was wanted; the oracle knows it
     GridPlacement placement;
     FileLattice lattice;
     std::string format;      //!< "NRRD", "OpenVDB level set", ...

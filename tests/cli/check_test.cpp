@@ -1,0 +1,192 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "program_fixture.h"
+
+namespace voroprobe
+{
+namespace
+{
+
+//! The corner of a cube: closed, faces outward; without the last face it is not.
+constexpr const char* kTetrahedron =
+    "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+constexpr const char* kOpenTetrahedron =
+    "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n";
+
+//! A ball with a cavity, and a speck of one voxel in a corner.
+Phantom shell_and_speck()
+{
+    Phantom phantom;
+    phantom.field = [](const Point3& p)
+    {
+        const double r = distance(p, {12.0, 12.0, 12.0});
+        return std::max(std::min(9.0 - r, r - 4.0), 0.6 - distance(p, {2, 2, 2}));
+    };
+    return phantom;
+}
+
+class CheckTest : public ProgramTest
+{
+protected:
+    [[nodiscard]] std::string file(const std::string& name, const std::string& text) const
+    {
+        program::write_text(folder_ / name, text);
+        return folder_ / name;
+    }
+
+    //! Meshes the phantom with the program, and answers the mesh.
+    [[nodiscard]] std::string mesh_of(const Phantom& phantom, std::vector<std::string> more = {}) const
+    {
+        write_phantom(phantom, folder_ / "scan.mha");
+        std::vector<std::string> arguments{
+            "mesh", folder_ / "scan.mha", "-o", folder_ / "scan.ply", "--isovalue", "0", "-q"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const program::Outcome outcome = program::run(arguments);
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        return folder_ / "scan.ply";
+    }
+
+    [[nodiscard]] program::Outcome check_against_scan(const std::string& mesh,
+                                                      std::vector<std::string> more = {}) const
+    {
+        std::vector<std::string> arguments{"check",      mesh, "--against", folder_ / "scan.mha",
+                                           "--isovalue", "0",  "--json",    folder_ / "check.json"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return program::run(arguments);
+    }
+
+    [[nodiscard]] nlohmann::json json() const
+    {
+        return nlohmann::json::parse(program::read_text(folder_ / "check.json"));
+    }
+};
+
+TEST_F(CheckTest, a_closed_mesh_passes_and_is_described)
+{
+    const program::Outcome outcome = program::run(
+        {"check", file("t.off", kTetrahedron), "--json", folder_ / "check.json", "--angle", "50"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("closed, manifold, oriented"), std::string::npos) << outcome.out;
+
+    const auto mesh = json().at("mesh");
+    EXPECT_EQ(mesh.at("faces"), 4);
+    EXPECT_EQ(mesh.at("euler_characteristic"), 2);
+    EXPECT_EQ(mesh.at("self_intersections"), 0);
+    EXPECT_EQ(mesh.at("faces_below_angle_bound"), 3);
+    EXPECT_NEAR(mesh.at("volume").get<double>(), 1.0 / 6.0, 1e-12);
+    EXPECT_EQ(json().at("status"), "done");
+    EXPECT_FALSE(json().contains("certificate"));
+}
+
+TEST_F(CheckTest, an_open_mesh_fails_with_the_reason_on_one_line)
+{
+    const program::Outcome outcome = program::run({"check", file("t.off", kOpenTetrahedron), "-q"});
+    EXPECT_EQ(outcome.status, 5);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_TRUE(is_one_error_line(outcome.err)) << outcome.err;
+    EXPECT_NE(outcome.err.find("3 edges on one face only"), std::string::npos) << outcome.err;
+}
+
+TEST_F(CheckTest, a_broken_file_is_refused_as_input)
+{
+    EXPECT_EQ(program::run({"check", folder_ / "none.stl"}).status, 3);
+    EXPECT_EQ(program::run({"check", file("t.off", "OFF\n4 4 0\n0 0")}).status, 3);
+    EXPECT_EQ(program::run({"check", file("t.txt", kTetrahedron)}).status, 3);
+}
+
+TEST_F(CheckTest, options_of_the_scan_are_refused_without_one)
+{
+    const std::string mesh = file("t.off", kTetrahedron);
+    for (const char* option : {"--isovalue", "--size", "--samples", "--spacing"})
+    {
+        const program::Outcome outcome =
+            program::run({"check", mesh, option, option == std::string("--spacing") ? "1,1,1" : "100"});
+        EXPECT_EQ(outcome.status, 2) << option;
+        EXPECT_NE(outcome.err.find("only with --against"), std::string::npos) << outcome.err;
+    }
+}
+
+TEST_F(CheckTest, the_json_never_overwrites_what_is_read)
+{
+    const std::string mesh = file("t.off", kTetrahedron);
+    EXPECT_EQ(program::run({"check", mesh, "--json", mesh}).status, 2);
+    EXPECT_EQ(program::read_text(mesh), kTetrahedron);
+}
+
+TEST_F(CheckTest, a_mesh_of_the_scan_is_complete_in_every_frame)
+{
+    Phantom phantom = ball_phantom();
+    phantom.origin = {30, -20, 5};
+    phantom.direction = {{Vec3{0, -1, 0}, Vec3{1, 0, 0}, Vec3{0, 0, 1}}};
+    phantom.field = ball(world_from_index(phantom) * Point3{11.5, 11.5, 11.5}, 8.0);
+    for (const char* frame : {"lps", "ras", "index"})
+    {
+        const std::string mesh = mesh_of(phantom, {"--frame-of-reference", frame});
+        const program::Outcome outcome =
+            check_against_scan(mesh, {"--frame-of-reference", frame, "--samples", "2000"});
+        EXPECT_EQ(outcome.status, 0) << frame << ": " << outcome.err;
+        const auto certificate = json().at("certificate");
+        EXPECT_EQ(certificate.at("surfaces_expected"), 1);
+        EXPECT_TRUE(certificate.at("complete"));
+        EXPECT_EQ(certificate.at("genus_mismatches").size(), 0U);
+        EXPECT_LT(certificate.at("distance_max_mm").get<double>(), 0.6);
+    }
+}
+
+TEST_F(CheckTest, a_mesh_in_another_frame_is_told_so)
+{
+    Phantom phantom = ball_phantom();
+    phantom.origin = {30, -20, 5};
+    phantom.field = ball({41.5, -8.5, 16.5}, 8.0);
+    const std::string mesh = mesh_of(phantom, {"--frame-of-reference", "ras"});
+    const program::Outcome outcome = check_against_scan(mesh);
+    EXPECT_EQ(outcome.status, 5);
+    EXPECT_NE(outcome.err.find("--frame-of-reference"), std::string::npos) << outcome.err;
+}
+
+TEST_F(CheckTest, a_mesh_of_one_ball_misses_the_cavity_and_the_speck_of_the_scan)
+{
+    Phantom whole = shell_and_speck();
+    Phantom filled = whole;
+    filled.field = ball({12.0, 12.0, 12.0}, 9.0);
+    const std::string mesh = mesh_of(filled);
+    write_phantom(whole, folder_ / "scan.mha");
+    const program::Outcome outcome = check_against_scan(mesh);
+    EXPECT_EQ(outcome.status, 5);
+    EXPECT_TRUE(is_one_error_line(outcome.err)) << outcome.err;
+    EXPECT_NE(outcome.err.find("2 surfaces missing"), std::string::npos) << outcome.err;
+
+    const auto certificate = json().at("certificate");
+    EXPECT_EQ(certificate.at("surfaces_expected"), 3);
+    EXPECT_EQ(certificate.at("surfaces_meshed"), 1);
+    EXPECT_FALSE(certificate.at("complete"));
+    ASSERT_EQ(certificate.at("missing").size(), 2U);
+    bool found_speck = false;
+    for (const auto& surface : certificate.at("missing"))
+    {
+        const auto box = surface.at("box_mm");
+        found_speck = found_speck || (surface.at("voxels") == 1 && box.at("max").at(0).get<double>() < 3.0);
+        EXPECT_EQ(surface.at("reason"), "no vertex of the mesh lies on it");
+    }
+    EXPECT_TRUE(found_speck);
+    EXPECT_GT(certificate.at("distance_max_mm").get<double>(), 4.0);
+}
+
+TEST_F(CheckTest, criteria_are_counted_where_they_are_asked_for)
+{
+    const std::string mesh = mesh_of(ball_phantom(), {"--size", "2"});
+    EXPECT_EQ(check_against_scan(mesh, {"--size", "2.001", "--distance", "1"}).status, 0);
+    EXPECT_EQ(json().at("certificate").at("criteria_exceptions").at("size"), 0);
+    EXPECT_EQ(json().at("certificate").at("criteria_exceptions").at("distance"), 0);
+    EXPECT_TRUE(json().at("certificate").at("criteria_exceptions").at("angle").is_null());
+    EXPECT_EQ(check_against_scan(mesh, {"--size", "0.01"}).status, 0);
+    EXPECT_EQ(json().at("certificate").at("criteria_exceptions").at("size"), json().at("mesh").at("faces"));
+}
+
+} // namespace
+} // namespace voroprobe
