@@ -15,7 +15,15 @@ namespace
 void add_surface_options(CLI::App& command, MeshArguments& arguments)
 {
     OptionGroup group(command, "Surface");
-    group.text("--isovalue", "V|auto", "Value of the samples at the surface (default auto: Otsu's threshold)",
+    group.text("--implicit", "FORMULA",
+               "In place of INPUT: where a formula in x, y and z, mm, has the\nisovalue, 'x^2+y^2+z^2-100'",
+               [&arguments](const std::string& given) { arguments.formula = given; });
+    group.text(
+        "--domain", "box:x0,y0,z0,x1,y1,z1|ball:cx,cy,cz,r",
+        "Where to look for the surface of a formula, mm; it is closed at\nthe border (required with it)",
+        [&arguments](const std::string& given) { arguments.domain = given; });
+    group.text("--isovalue", "V|auto",
+               "Value of the samples at the surface (default auto: Otsu's\nthreshold; 0 for a formula)",
                [&arguments](const std::string& given)
                {
                    if (given != "auto")
@@ -26,7 +34,7 @@ void add_surface_options(CLI::App& command, MeshArguments& arguments)
                  Words<std::optional<InsideIs>>{
                      {"auto", std::nullopt}, {"above", InsideIs::kAbove}, {"below", InsideIs::kBelow}},
                  "Side of the isovalue the object lies on (default auto: below for\nlevel sets in .vdb "
-                 "files, above otherwise)");
+                 "files and formulas, above otherwise)");
     group.choice(
         "--border", arguments.border,
         Words<BorderFaces>{{"closed", BorderFaces::kClosed}, {"open", BorderFaces::kOpen}},
@@ -36,7 +44,8 @@ void add_surface_options(CLI::App& command, MeshArguments& arguments)
 void add_criteria(CLI::App& command, MeshArguments& arguments)
 {
     OptionGroup group(command,
-                      "Criteria (v: shortest side of a voxel; m: side of the cube of a voxel's volume)");
+                      "Criteria (v: shortest side of a voxel; m: side of the cube of a voxel's volume; "
+                      "without voxels both are 1 % of the diagonal)");
     RequestedCriteria& criteria = arguments.criteria;
     group.number("--size", "MM", criteria.size, kLength, "Largest radius of a face's ball, mm (default 2 m)");
     group.text("--angle", "DEG", "Smallest angle of a face, degrees, 0 to 30 (default 30)",
@@ -62,10 +71,8 @@ void add_criteria(CLI::App& command, MeshArguments& arguments)
 void add_output_options(CLI::App& command, MeshArguments& arguments)
 {
     OptionGroup group(command, "Output");
-    group
-        .text("-o,--output", "FILE", "Mesh to write: .stl .ply .obj .off .vtp",
-              [&arguments](const std::string& given) { arguments.output = given; })
-        ->required();
+    group.text("-o,--output", "FILE", "Mesh to write: .stl .ply .obj .off .vtp (required)",
+               [&arguments](const std::string& given) { arguments.output = given; });
     group.text("--format", "NAME", "stl, stl-ascii, ply, obj, off or vtp (default: by the extension)",
                [&arguments](const std::string& given) { arguments.format = given; });
     group.choice("--frame-of-reference", arguments.frame,
@@ -105,8 +112,8 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments)
 {
     command
         .add_option("INPUT", arguments.input,
-                    "Volume: a file, or a folder with a DICOM series or TIFF slices")
-        ->required()
+                    "Volume: a file, or a folder with a DICOM series or TIFF slices; or a closed mesh\n"
+                    "(.stl .ply .obj .off .vtp) or points with normals (.xyz) to mesh anew")
         ->type_name("");
     add_surface_options(command, arguments);
     add_criteria(command, arguments);

@@ -31,8 +31,10 @@ enum class BorderFaces
 //! Everything the user can say to `voroprobe mesh`.
 struct MeshArguments
 {
-    std::filesystem::path input;
+    std::filesystem::path input; //!< empty where a formula takes its place
     std::filesystem::path output;
+    std::optional<std::string> formula = std::nullopt;
+    std::optional<std::string> domain = std::nullopt; //!< of the formula
     ReadOptions read;
 
     std::optional<double> isovalue = std::nullopt; //!< unset: automatic

@@ -1,11 +1,13 @@
 #include "cli/mesh_command.h"
 
+#include <algorithm>
 #include <iostream>
 
 #include "cli/interrupt.h"
 #include "cli/mesh_report.h"
 #include "cli/mesh_run.h"
 #include "cli/number_text.h"
+#include "cli/shape_input.h"
 #include "cli/summary.h"
 #include "cli/warnings.h"
 #include "io/mesh_writer.h"
@@ -28,15 +30,43 @@ void check_distinct(const fs::path& a, const char* name_of_a, const fs::path& b,
                          "; allowed: two files");
 }
 
+SurfaceRequest request_of(const MeshArguments& arguments)
+{
+    SurfaceRequest request{.path = arguments.input,
+                           .read = arguments.read,
+                           .isovalue = arguments.isovalue,
+                           .inside = arguments.inside};
+    if (arguments.formula)
+        request.formula = FormulaRequest{*arguments.formula, arguments.domain.value_or("")};
+    return request;
+}
+
+void check_input(const MeshArguments& arguments)
+{
+    if (arguments.formula && !arguments.domain)
+        throw UsageError(
+            "--domain is missing; --implicit requires it: box:x0,y0,z0,x1,y1,z1 or ball:cx,cy,cz,r");
+    if (!arguments.formula && arguments.domain)
+        throw UsageError("--domain is '" + *arguments.domain + "'; allowed: only with --implicit");
+    const SurfaceRequest request = request_of(arguments);
+    check_request(request);
+    if (is_shape(request) && arguments.frame == OutputFrame::kIndex)
+        throw UsageError("--frame-of-reference is 'index'; allowed: lps, ras, as there are no voxels");
+}
+
 //! Everything that can be refused before the input is read.
 MeshFormat check_outputs(const MeshArguments& arguments)
 {
+    if (arguments.output.empty())
+        throw UsageError("--output is required (see voroprobe mesh --help)");
     const MeshFormat format = mesh_format(arguments.output, arguments.format);
-    check_distinct(arguments.output, "OUTPUT", arguments.input, "INPUT");
+    if (!arguments.formula)
+        check_distinct(arguments.output, "OUTPUT", arguments.input, "INPUT");
     check_writable(arguments.output);
     if (arguments.summary)
     {
-        check_distinct(*arguments.summary, "--summary", arguments.input, "INPUT");
+        if (!arguments.formula)
+            check_distinct(*arguments.summary, "--summary", arguments.input, "INPUT");
         check_distinct(*arguments.summary, "--summary", arguments.output, "OUTPUT");
         check_writable(*arguments.summary);
     }
@@ -58,10 +88,7 @@ MeshRun read_input(const MeshArguments& arguments, ProgressSink& progress)
     const Stopwatch clock;
     progress.report({.phase = "read"});
     MeshRun run{.arguments = arguments,
-                .input = load_surface({.path = arguments.input,
-                                       .read = arguments.read,
-                                       .isovalue = arguments.isovalue,
-                                       .inside = arguments.inside}),
+                .input = load_surface(request_of(arguments)),
                 .options = {},
                 .statistics = {},
                 .facts = {},
@@ -87,6 +114,10 @@ TriangleMesh refine_surface(MeshRun& run, ProgressSink& progress)
         throw Error(ExitStatus::kBudget, "--max-vertices " +
                                              std::to_string(run.options.max_vertices.value_or(0)) +
                                              " was reached before there was a face; nothing was written");
+    if (run.input.kind != InputKind::kVolume)
+        throw EmptySurfaceError(run.input.description +
+                                ": no probe met a surface, or all of it is smaller than --floor " +
+                                number_text(run.options.floor_radius) + " mm; nothing was written");
     throw EmptySurfaceError("no face at isovalue " + number_text(run.input.isovalue.value) +
                             ": the samples range from " + number_text(run.input.min) + " to " +
                             number_text(run.input.max) +
@@ -96,10 +127,24 @@ TriangleMesh refine_surface(MeshRun& run, ProgressSink& progress)
 
 std::vector<std::string> comments_for(const MeshRun& run)
 {
-    return {std::string("voroprobe ") + VOROPROBE_VERSION,
-            "unit: " + std::string(frame_unit(run.arguments.frame)),
-            "frame: " + std::string(frame_name(run.arguments.frame)),
-            "isovalue: " + number_text(run.input.isovalue.value)};
+    std::vector<std::string> comments{std::string("voroprobe ") + VOROPROBE_VERSION,
+                                      "unit: " + std::string(frame_unit(run.arguments.frame)),
+                                      "frame: " + std::string(frame_name(run.arguments.frame))};
+    if (run.input.has_isovalue())
+        comments.push_back("isovalue: " + number_text(run.input.isovalue.value));
+    return comments;
+}
+
+//! Rounding of a vertex on the border of the domain, as a fraction of the domain's diagonal.
+constexpr double kBorderRounding = 1e-9;
+
+//! Vertices where a domain cuts the object.
+std::size_t count_on_border(const TriangleMesh& mesh, const ImplicitDomain& domain)
+{
+    const double rounding = kBorderRounding * domain.bounding_box().diagonal();
+    return static_cast<std::size_t>(std::count_if(mesh.vertices.begin(), mesh.vertices.end(),
+                                                  [&](const Point3& p)
+                                                  { return domain.distance_beyond(p) >= -rounding; }));
 }
 
 //! From here on a signal comes too late. To be called before the output takes its place.
@@ -117,6 +162,8 @@ void check_and_write(TriangleMesh& mesh, MeshFormat format, MeshRun& run, Progre
     run.facts = measure_mesh(mesh, run.options.min_facet_angle_deg);
     if (run.status == RunStatus::kDone && broken_promise(run.facts, run.arguments.border))
         run.status = RunStatus::kIncomplete;
+    if (run.input.domain)
+        run.vertices_on_border = count_on_border(mesh, *run.input.domain);
     transform(mesh, output_from_grid(run.arguments.frame, run.input.placement));
     run.output_box = bounding_box(mesh);
     write_mesh(mesh, run.arguments.output, format, comments_for(run), pass_point_of_no_return);
@@ -135,6 +182,10 @@ std::vector<std::string> result_warnings(const MeshRun& run)
         warnings.push_back(
             "the surface touched itself at " + count_text(carved) +
             " vertices where it could not be drawn apart: the object was cut away around them");
+    if (const std::size_t count = run.vertices_on_border; count > 0)
+        warnings.push_back("the object leaves the domain: " + count_text(count) +
+                           " vertices of the mesh lie on the border of --domain, where it was " +
+                           (run.options.close_border ? "closed" : "left open"));
     return warnings;
 }
 
@@ -143,8 +194,8 @@ std::vector<std::string> result_warnings(const MeshRun& run)
 void run_mesh_command(const MeshArguments& arguments)
 {
     const Stopwatch clock;
+    check_input(arguments);
     const MeshFormat format = check_outputs(arguments);
-    check_read_options(arguments.input, arguments.read);
     auto progress =
         make_progress(arguments.quiet && arguments.progress == ProgressMode::kAuto ? ProgressMode::kNone
                                                                                    : arguments.progress);

@@ -14,6 +14,8 @@ namespace
 
 std::string input_text(const SurfaceInput& input)
 {
+    if (input.kind != InputKind::kVolume)
+        return input.description;
     return size_text(input.lattice.size) + " voxels of " + triple_text(input.lattice.spacing) + " mm, " +
            input.stored_type + " (" + input.format + "), values " + number_text(input.min) + " to " +
            number_text(input.max);
@@ -82,9 +84,10 @@ std::string times_text(const RunTimings& timings)
 std::string mesh_report(const MeshRun& run)
 {
     const MeshFacts& facts = run.facts;
-    return info_line("input", run.arguments.input.string()) + info_line("", input_text(run.input)) +
-           info_line("isovalue", surface_text(run)) + info_line("criteria", criteria_text(run.options)) +
-           info_line("surfaces", seeding_text(run)) +
+    return info_line("input", run.arguments.formula.value_or(run.arguments.input.string())) +
+           info_line("", input_text(run.input)) +
+           (run.input.has_isovalue() ? info_line("isovalue", surface_text(run)) : std::string()) +
+           info_line("criteria", criteria_text(run.options)) + info_line("surfaces", seeding_text(run)) +
            info_line("mesh",
                      count_text(facts.vertices) + " vertices, " + count_text(facts.faces) + " faces") +
            info_line("", topology_text(facts.topology)) + info_line("angles", angles_text(run)) +

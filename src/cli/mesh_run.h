@@ -36,7 +36,8 @@ struct MeshRun
     MeshingOptions options;
     MeshingStatistics statistics;
     MeshFacts facts;
-    Box3 output_box; //!< in the frame of the output
+    Box3 output_box;                    //!< in the frame of the output
+    std::size_t vertices_on_border = 0; //!< where the domain of a formula cuts the object
     RunTimings timings;
     RunStatus status = RunStatus::kDone;
 };

@@ -36,25 +36,56 @@ std::string_view status_name(RunStatus status)
     return {};
 }
 
+std::string_view kind_name(InputKind kind)
+{
+    switch (kind)
+    {
+    case InputKind::kVolume:
+        return "volume";
+    case InputKind::kFormula:
+        return "formula";
+    case InputKind::kTriangleMesh:
+        return "mesh";
+    case InputKind::kPointCloud:
+        return "points";
+    }
+    return {};
+}
+
+template <typename Value>
+Json value_or_null(const std::optional<Value>& value)
+{
+    return value ? Json(*value) : Json(nullptr);
+}
+
 Json input_json(const MeshRun& run)
 {
-    return {{"path", run.arguments.input.string()},
-            {"format", run.input.format},
-            {"size", run.input.lattice.size},
-            {"spacing", json_of(run.input.lattice.spacing)},
-            {"type", run.input.stored_type},
-            {"min", run.input.min},
-            {"max", run.input.max},
-            {"warnings", run.input.warnings}};
+    const SurfaceInput& input = run.input;
+    const bool is_volume = input.kind == InputKind::kVolume;
+    const auto of_volume = [is_volume](const Json& value) { return is_volume ? value : Json(nullptr); };
+    const bool is_file = !run.arguments.formula;
+    return {{"kind", kind_name(input.kind)},
+            {"path", is_file ? Json(run.arguments.input.string()) : Json(nullptr)},
+            {"formula", value_or_null(run.arguments.formula)},
+            {"domain", value_or_null(run.arguments.domain)},
+            {"format", input.format},
+            {"size", of_volume(input.lattice.size)},
+            {"spacing", of_volume(json_of(input.lattice.spacing))},
+            {"type", of_volume(input.stored_type)},
+            {"min", of_volume(input.min)},
+            {"max", of_volume(input.max)},
+            {"warnings", input.warnings}};
 }
 
 Json parameters_json(const MeshRun& run)
 {
     const MeshingOptions& options = run.options;
     const bool one_at_a_time = options.isolated_vertices == IsolatedVertices::kOneAtATime;
-    return {{"isovalue", run.input.isovalue.value},
-            {"isovalue_source", run.input.isovalue.source},
-            {"inside", run.input.inside == InsideIs::kAbove ? "above" : "below"},
+    const auto of_level = [&run](const Json& value)
+    { return run.input.has_isovalue() ? value : Json(nullptr); };
+    return {{"isovalue", of_level(run.input.isovalue.value)},
+            {"isovalue_source", of_level(run.input.isovalue.source)},
+            {"inside", of_level(run.input.inside == InsideIs::kAbove ? "above" : "below")},
             {"border", options.close_border ? "closed" : "open"},
             {"size_mm", options.max_facet_radius},
             {"angle_deg", options.min_facet_angle_deg},
@@ -85,6 +116,7 @@ Json mesh_json(const MeshRun& run)
             {"mean_min_angle_deg", facts.angles.mean_min_deg},
             {"max_angle_deg", facts.angles.max_deg},
             {"faces_below_angle_bound", facts.faces_below_angle_bound},
+            {"vertices_on_domain_border", run.vertices_on_border},
             {"box", {{"min", json_of(run.output_box.min)}, {"max", json_of(run.output_box.max)}}}};
 }
 

@@ -5,6 +5,7 @@
 
 #include "cli/label_map.h"
 #include "cli/number_text.h"
+#include "cli/shape_input.h"
 #include "cli/warnings.h"
 #include "oracles/vdb_oracle.h"
 #include "support/error.h"
@@ -153,9 +154,19 @@ std::vector<std::string> non_finite_warnings(const VolumeStatistics& statistics)
             " infinite samples count as outside the object"};
 }
 
+void check_request(const SurfaceRequest& request)
+{
+    if (is_shape(request))
+        check_shape_request(request);
+    else
+        check_read_options(request.path, request.read);
+}
+
 SurfaceInput load_surface(const SurfaceRequest& request)
 {
-    check_read_options(request.path, request.read);
+    check_request(request);
+    if (is_shape(request))
+        return load_shape(request);
     return is_vdb_path(request.path) ? load_vdb_surface(request) : load_volume_surface(request);
 }
 
