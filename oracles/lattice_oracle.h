@@ -172,11 +172,10 @@ private:
     [[nodiscard]] SurfaceId surface_in_cell(LatticeReader auto& reader, const GridCell& cell,
                                             const Point3& crossing_index) const
     {
-        const CellCorners corners = reader.corners(cell);
-        const Vec3 p = local(crossing_index, cell);
-        const Region inside = corner_region(cell, corner_uphill(corners, p));
+        const CornersBeside beside = corners_beside(reader.corners(cell), local(crossing_index, cell));
+        const Region inside = corner_region(cell, beside.uphill);
         const Region outside =
-            is_on_border(crossing_index) ? kOuterRegion : corner_region(cell, corner_downhill(corners, p));
+            is_on_border(crossing_index) ? kOuterRegion : corner_region(cell, beside.downhill);
         return regions_.inventory->surface_between(inside, outside);
     }
 

@@ -135,6 +135,61 @@ int node_side(int depth)
     return static_cast<int>(depth <= 0 ? Upper::DIM : depth == 1 ? Lower::DIM : Lower::ChildNodeType::DIM);
 }
 
+//! Where the samples of `box` lie.
+LatticeFrame frame_of(const openvdb::CoordBBox& box, const Vec3& step)
+{
+    const Coord& first = box.min();
+    const Coord count = box.dim();
+    return {{count.x(), count.y(), count.z()},
+            step,
+            {step.x * first.x(), step.y * first.y(), step.z * first.z()}};
+}
+
+class SparseHeightField final : public HeightField
+{
+public:
+    SparseHeightField(openvdb::FloatGrid::ConstPtr grid, const Level& level, const openvdb::CoordBBox& box,
+                      const Vec3& step)
+        : grid_(std::move(grid)), level_(level), box_(box), step_(step)
+    {
+    }
+
+    [[nodiscard]] LatticeFrame frame() const override { return frame_of(box_, step_); }
+
+    void read_slice(std::size_t k, std::span<double> heights) const override
+    {
+        ConstAccessor values(grid_->tree());
+        const int z = box_.min().z() + static_cast<int>(k);
+        const Coord first = box_.min() & ~(kLeafSide - 1);
+        for (int y = first.y(); y <= box_.max().y(); y += kLeafSide)
+            for (int x = first.x(); x <= box_.max().x(); x += kLeafSide)
+                read_block(values, {x, y, z}, heights);
+    }
+
+private:
+    //! The part of a slice in the node that holds `corner`, its lowest of this slice.
+    void read_block(ConstAccessor& values, const Coord& corner, std::span<double> heights) const
+    {
+        const auto* leaf = values.probeConstLeaf(corner);
+        const double of_tile = leaf == nullptr ? level_(values.getValue(corner)) : 0.0;
+        const Coord low = Coord::maxComponent(corner, box_.min());
+        const Coord high = Coord::minComponent(corner.offsetBy(kLeafSide - 1), box_.max());
+        const auto columns = static_cast<std::size_t>(box_.dim().x());
+        for (int y = low.y(); y <= high.y(); ++y)
+        {
+            double* row = heights.data() + static_cast<std::size_t>(y - box_.min().y()) * columns;
+            for (int x = low.x(); x <= high.x(); ++x)
+                row[x - box_.min().x()] =
+                    leaf == nullptr ? of_tile : level_(leaf->getValue(Coord(x, y, corner.z())));
+        }
+    }
+
+    openvdb::FloatGrid::ConstPtr grid_;
+    Level level_;
+    openvdb::CoordBBox box_;
+    Vec3 step_;
+};
+
 } // namespace
 
 SparseLattice::SparseLattice(openvdb::FloatGrid::ConstPtr grid, const Level& level,
@@ -145,11 +200,7 @@ SparseLattice::SparseLattice(openvdb::FloatGrid::ConstPtr grid, const Level& lev
 
 LatticeFrame SparseLattice::frame() const
 {
-    const Coord& first = box_.min();
-    const Coord count = box_.dim();
-    return {{count.x(), count.y(), count.z()},
-            step_,
-            {step_.x * first.x(), step_.y * first.y(), step_.z * first.z()}};
+    return frame_of(box_, step_);
 }
 
 CellCorners SparseLattice::Reader::corners(const GridCell& cell)
@@ -215,6 +266,12 @@ bool SparseLattice::Reader::any_mixed(const GridCellBox& box)
                     leaf != nullptr && any_in_leaf(*leaf))
                     return true;
     return false;
+}
+
+std::unique_ptr<HeightField> make_sparse_height_field(openvdb::FloatGrid::ConstPtr grid, const Level& level,
+                                                      const openvdb::CoordBBox& box, const Vec3& step)
+{
+    return std::make_unique<SparseHeightField>(std::move(grid), level, box, step);
 }
 
 } // namespace voroprobe

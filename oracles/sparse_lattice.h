@@ -7,6 +7,7 @@
 #include <openvdb/tree/ValueAccessor.h>
 
 #include "oracles/lattice_oracle.h"
+#include "volume/height_field.h"
 #include "volume/level.h"
 
 namespace voroprobe
@@ -63,5 +64,10 @@ private:
     Vec3 step_;
     std::unique_ptr<const openvdb::MaskTree> mixed_;
 };
+
+//! The values of a float grid over a box as heights, slices across z; arguments as for SparseLattice. A slice
+//! is made dense while it is read. Cost of a slice: linear in the box, one look-up per 8x8 samples.
+std::unique_ptr<HeightField> make_sparse_height_field(openvdb::FloatGrid::ConstPtr grid, const Level& level,
+                                                      const openvdb::CoordBBox& box, const Vec3& step);
 
 } // namespace voroprobe

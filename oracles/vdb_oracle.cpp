@@ -169,7 +169,11 @@ VdbSurface read_vdb_surface(const std::filesystem::path& path, const VdbOptions&
     surface.source_index_from_grid.linear = {
         {Vec3{1.0 / step.x, 0, 0}, Vec3{0, 1.0 / step.y, 0}, Vec3{0, 0, 1.0 / step.z}}};
     const Level level = prepare_values(*grid, where, surface);
-    surface.oracle = std::make_unique<LatticeOracle<SparseLattice>>(SparseLattice(grid, level, domain, step));
+    surface.heights = make_sparse_height_field(grid, level, domain, step);
+    if (options.regions == VdbRegions::kListed)
+        surface.inventory = std::make_shared<const Inventory>(*surface.heights, options.threads);
+    surface.oracle = std::make_unique<LatticeOracle<SparseLattice>>(
+        SparseLattice(grid, level, domain, step), LatticeRegions{surface.inventory, surface.heights});
     return surface;
 }
 

@@ -9,6 +9,8 @@
 #include "geometry/affine_transform.h"
 #include "oracles/surface_oracle.h"
 #include "oracles/trilinear_oracle.h"
+#include "volume/height_field.h"
+#include "volume/inventory.h"
 
 namespace voroprobe
 {
@@ -16,9 +18,11 @@ namespace voroprobe
 //! A sparse OpenVDB grid, kept sparse, and what there is to say about it.
 struct VdbSurface
 {
-    std::unique_ptr<SurfaceOracle> oracle;  //!< frame: voxel size times index, axes along the grid
-    AffineTransform world_from_grid;        //!< to the file's world
-    AffineTransform source_index_from_grid; //!< to the file's index coordinates
+    std::unique_ptr<SurfaceOracle> oracle;      //!< frame: voxel size times index, axes along the grid
+    std::shared_ptr<const HeightField> heights; //!< what it is the zero set of; frame: the oracle's
+    std::shared_ptr<const Inventory> inventory; //!< where it was asked for; the oracle answers by it
+    AffineTransform world_from_grid;            //!< to the file's world
+    AffineTransform source_index_from_grid;     //!< to the file's index coordinates
     std::string grid_name;
     std::string grid_class;  //!< "level set", "fog volume" or "unknown"
     std::string stored_type; //!< "float32" or "float16"
@@ -31,6 +35,13 @@ struct VdbSurface
     std::vector<std::string> warnings;
 };
 
+//! What the regions of the oracle of a grid are.
+enum class VdbRegions
+{
+    kSides, //!< +1 and -1
+    kListed //!< those of an inventory, which takes a pass over the grid's whole box
+};
+
 //! How to read a .vdb file when the file alone does not settle it.
 struct VdbOptions
 {
@@ -39,6 +50,8 @@ struct VdbOptions
     std::optional<double> isovalue =
         std::nullopt; //!< default: 0 for level sets, half of the maximum for fog volumes
     std::optional<InsideIs> inside = std::nullopt; //!< default: below for level sets, above otherwise
+    VdbRegions regions = VdbRegions::kSides;
+    std::size_t threads = 0; //!< for the inventory; 0 for all there are
 };
 
 //! The exact trilinear isosurface of a float grid of a .vdb file, on its sparse tree (nothing is made dense).

@@ -22,7 +22,8 @@ using Face = std::array<std::uint8_t, 4>;
 constexpr std::array<Face, 6> kFaces{
     {{0, 2, 4, 6}, {1, 3, 5, 7}, {0, 1, 4, 5}, {2, 3, 6, 7}, {0, 1, 2, 3}, {4, 5, 6, 7}}};
 
-//! A body saddle's value, of heights up to 1, that counts as 0: some roundings. Integer samples often meet it.
+//! A body saddle's value, of heights up to 1, that counts as 0: some roundings. Integer samples often meet
+//! it.
 constexpr double kSaddleRounding = 1e-14;
 
 constexpr CornerParts kAllApart{0, 1, 2, 3, 4, 5, 6, 7};
@@ -163,7 +164,8 @@ BodySaddles find_body_saddles(const CellCorners& corners)
     return saddles;
 }
 
-//! \pre The heights are at most 1. Joins the corners in the parts that touch the lines of constant value through a body saddle.
+//! \pre The heights are at most 1. Joins the corners in the parts that touch the lines of constant value
+//! through a body saddle.
 void join_through_saddle(const CellCorners& corners, CornerCode code, const Vec3& saddle, CornerParts& parts)
 {
     const bool inside = trilinear_value(corners, saddle) >= -kSaddleRounding;
@@ -219,6 +221,27 @@ std::size_t corner_uphill(const CellCorners& corners, const Vec3& local)
 std::size_t corner_downhill(const CellCorners& corners, const Vec3& local)
 {
     return corner_reached(corners, local, [](double a, double b) { return a < b; });
+}
+
+CornersBeside corners_beside(const CellCorners& corners, const Vec3& on_surface)
+{
+    Vec3 high;
+    Vec3 low;
+    double steepest = -1.0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+        Vec3 first = on_surface;
+        Vec3 second = on_surface;
+        first[axis] = 0.0;
+        second[axis] = 1.0;
+        const double rise = trilinear_value(corners, second) - trilinear_value(corners, first);
+        if (std::abs(rise) <= steepest)
+            continue;
+        steepest = std::abs(rise);
+        high = rise > 0.0 ? second : first;
+        low = rise > 0.0 ? first : second;
+    }
+    return {corner_uphill(corners, high), corner_downhill(corners, low)};
 }
 
 CellTopology connect_corners_on_faces(const CellCorners& corners)

@@ -21,6 +21,16 @@ std::size_t corner_uphill(const CellCorners& corners, const Vec3& local);
 //! The same downhill: the corner is outside where `local` is.
 std::size_t corner_downhill(const CellCorners& corners, const Vec3& local);
 
+//! Corners reached uphill and downhill from a point of the surface.
+struct CornersBeside
+{
+    std::size_t uphill;
+    std::size_t downhill;
+};
+
+//! The first move is along the steepest axis, away from the surface: at once out of the reach of rounding.
+CornersBeside corners_beside(const CellCorners& corners, const Vec3& on_surface);
+
 //! Which corners of a grid cell the interpolant connects: corner -> a corner of the same part, the same for
 //! all of it.
 using CornerParts = std::array<std::uint8_t, 8>;

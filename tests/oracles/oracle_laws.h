@@ -68,4 +68,37 @@ inline void expect_laws_on_random_segments(const SurfaceOracle& oracle, std::uin
     }
 }
 
+//! Asserts on `count` segments what an inventory adds: from end to end the region changes at crossings only,
+//! to one behind a surface, which is that of the crossing.
+inline void expect_region_laws_on_random_segments(const SurfaceOracle& oracle, std::uint64_t seed,
+                                                  std::size_t count)
+{
+    constexpr double kNearest = 1e-9; // of two crossings: nearer ones may be in each other's rounding
+    Random random(seed);
+    const Box3 reach = oracle.domain().expanded(0.2 * oracle.domain().diagonal());
+    std::vector<Crossing> crossings;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const Segment3 segment = random_segment(random, reach);
+        oracle.find_crossings(segment, crossings);
+        Region region = oracle.region(segment.source);
+        double last = 0.0;
+        for (std::size_t c = 0; c < crossings.size(); ++c)
+        {
+            const double next = c + 1 < crossings.size() ? crossings[c + 1].t : 1.0;
+            if (crossings[c].t - last < kNearest || next - crossings[c].t < kNearest)
+                break;
+            const Region before = oracle.region(segment.at(0.5 * (last + crossings[c].t)));
+            ASSERT_EQ(before, region);
+            region = oracle.region(segment.at(0.5 * (crossings[c].t + next)));
+            const SurfaceId surface = oracle.surface_between(before, region);
+            ASSERT_NE(surface, kNoSurface);
+            ASSERT_EQ(oracle.surface_at(crossings[c].point), surface);
+            ASSERT_TRUE(oracle.surface_around(before) == surface || oracle.surface_around(region) == surface);
+            last = crossings[c].t;
+        }
+        ASSERT_TRUE(!crossings.empty() || oracle.region(segment.target) == region);
+    }
+}
+
 } // namespace voroprobe

@@ -98,8 +98,12 @@ void expect_as_dense(const VdbSurface& surface, const FloatGrid& grid, const Vec
         for (int y = 0; y < dim.y(); ++y)
             for (int x = 0; x < dim.x(); ++x)
                 samples[at++] = accessor.getValue(box.min().offsetBy(x, y, z));
-    const auto dense =
-        make_trilinear_oracle(std::make_shared<Volume>(volume), surface.isovalue, surface.inside);
+    const LevelledVolume levelled =
+        level_volume(std::make_shared<Volume>(volume), surface.isovalue, surface.inside);
+    const auto inventory =
+        surface.inventory ? std::make_shared<const Inventory>(*make_height_field(levelled)) : nullptr;
+    const auto dense = make_trilinear_oracle(levelled, inventory);
+    ASSERT_EQ(surface.oracle->surface_count(), dense->surface_count());
     const Vec3 shift{voxel.x * box.min().x(), voxel.y * box.min().y(), voxel.z * box.min().z()};
 
     Random random(seed);
@@ -113,7 +117,10 @@ void expect_as_dense(const VdbSurface& surface, const FloatGrid& grid, const Vec
         surface.oracle->find_crossings(moved, crossings);
         ASSERT_EQ(crossings.size(), expected.size());
         for (std::size_t c = 0; c < expected.size(); ++c)
+        {
             ASSERT_NEAR(crossings[c].t, expected[c].t, 1e-9);
+            ASSERT_EQ(surface.oracle->surface_at(crossings[c].point), dense->surface_at(expected[c].point));
+        }
         ASSERT_EQ(surface.oracle->region(moved.source), dense->region(segment.source));
         Box3 around{segment.source, segment.source};
         around = around.expanded(voxel.x * random.uniform(0.1, 20.0));
@@ -210,6 +217,27 @@ TEST_F(VdbOracle, random_values_in_scattered_leaves_answer_as_their_dense_copy)
     EXPECT_EQ(surface.grid_class, "unknown");
     expect_as_dense(surface, *grid, {1, 1, 1}, 7);
     expect_laws_on_random_segments(*surface.oracle, 8, 20'000);
+
+    const VdbSurface listed =
+        read_vdb_surface(write({grid}), {.isovalue = 2.0, .regions = VdbRegions::kListed});
+    EXPECT_GT(listed.inventory->surfaces().size(), 100U);
+    expect_as_dense(listed, *grid, {1, 1, 1}, 7);
+    expect_region_laws_on_random_segments(*listed.oracle, 9, 5'000);
+}
+
+TEST_F(VdbOracle, the_inventory_of_a_left_handed_grid_lies_where_its_oracle_has_it)
+{
+    const auto grid = fog_ball({20, -10, 5}, 6.0);
+    auto matrix = openvdb::Mat4R::identity();
+    matrix.preScale(openvdb::Vec3d(-0.5, 0.7, 2.0));
+    grid->setTransform(openvdb::math::Transform::createLinearTransform(matrix));
+    const VdbSurface surface = read_vdb_surface(write({grid}), {.regions = VdbRegions::kListed});
+    ASSERT_EQ(surface.inventory->surfaces().size(), 1U);
+    const ScanSurface& ball = surface.inventory->surfaces()[0];
+    EXPECT_EQ(ball.euler_characteristic, 2);
+    EXPECT_NEAR(ball.box.center().x, -0.5 * 20, 1e-9);
+    EXPECT_EQ(surface.oracle->surface_at(ball.point), 0);
+    expect_region_laws_on_random_segments(*surface.oracle, 3, 2'000);
 }
 
 TEST_F(VdbOracle, a_level_set_whose_inside_was_never_marked_is_filled)
