@@ -67,15 +67,15 @@ MeshingOptions meshing_options(const Options& options, double voxel_side)
 
 void print(const MeshingStatistics& with, double without_probing_s)
 {
-    const double cells = static_cast<double>(
-        std::max<std::size_t>(1, with.cells_probed + with.cells_without_probes + with.cells_with_one_probe));
+    const double cells =
+        static_cast<double>(std::max<std::size_t>(1, with.cells_probed + with.cells_probed_at_once));
     std::cout << "refinement " << without_probing_s << " s without probing; probing " << with.seconds_probing
               << " s, ratio " << with.seconds_probing / without_probing_s << ", "
               << 1e6 * with.seconds_probing / cells << " us per Voronoi cell\n"
-              << "  insertions " << with.insertions << "; Voronoi cells thin " << with.cells_without_probes
-              << ", with one probe " << with.cells_with_one_probe << ", probed " << with.cells_probed
-              << "; queries " << with.queries_probing << " (refinement " << with.queries_refinement
-              << "), hits passed over " << with.probe_hits_passed_over << ", inserted " << with.probe_hits
+              << "  insertions " << with.insertions << "; Voronoi cells probed at once "
+              << with.cells_probed_at_once << ", probed " << with.cells_probed << "; queries "
+              << with.queries_probing << " (refinement " << with.queries_refinement << "), hits passed over "
+              << with.probe_hits_passed_over << ", inserted " << with.probe_hits
               << "\n  components by probe(domain) " << with.components_by_initialization
               << ", isolated vertices " << with.components_by_isolated_vertex << ", refinement "
               << with.components_by_refinement << ", probing " << with.components_by_probing << '\n';

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numbers>
 
 #include <CGAL/iterator.h>
 
@@ -28,28 +27,44 @@ CellProbing::CellProbing(RestrictedDelaunay& restricted, const MeshingOptions& o
     : restricted_(restricted), options_(options), statistics_(statistics),
       domain_(probed_domain(restricted.oracle(), options)),
       probe_radius_(options.component_radius.value_or(options.reach_lower_bound)),
-      probing_(restricted.oracle(), probe_radius_, counts_)
+      probing_(restricted.oracle(), probe_radius_, counts_), slab_probing_(probing_),
+      is_news_([this](const Point3& crossing) { return is_news(crossing); })
 {
 }
 
 std::optional<ProbeHit> CellProbing::probe_domain()
 {
-    make_domain_region(domain_, region_);
-    const auto hit = probe(region_, [](const Point3&) { return true; });
+    const IsNews is_news = [](const Point3&) { return true; };
+    std::optional<Point3> hit;
+    if (options_.certified_skipping)
+    {
+        outline_ = domain_outline(domain_);
+        hit = probe_slabs(is_news);
+    }
+    else
+    {
+        make_domain_region(domain_, region_);
+        hit = probing_.probe_all(region_, is_news);
+    }
+    update_statistics();
     return hit ? std::optional(ProbeHit{*hit, {}}) : std::nullopt;
 }
 
-std::optional<Point3> CellProbing::probe(const ConvexRegion& region, const IsNews& is_news)
+std::optional<Point3> CellProbing::probe_slabs(const IsNews& is_news)
 {
-    const auto news = options_.certified_skipping ? probing_.probe_uncertified(region, is_news)
-                                                  : probing_.probe_all(region, is_news);
+    const auto outcome = slab_probing_.probe(outline_, is_news, SlabProbing::Effort::kAllProbes);
+    return outcome == SlabProbing::Outcome::kNews ? std::optional(slab_probing_.news()) : std::nullopt;
+}
+
+void CellProbing::update_statistics()
+{
     statistics_.queries_probing = counts_.queries;
     statistics_.probe_hits_passed_over = counts_.hits_passed_over;
-    return news;
 }
 
 std::optional<ProbeHit> CellProbing::probe_cells_until_hit(const std::function<bool()>& stop)
 {
+    facets_of_ = {}; // the mesh has changed since
     collect_unprobed_cells();
     const auto size_now = [&](VertexHandle vertex)
     {
@@ -70,88 +85,115 @@ std::optional<ProbeHit> CellProbing::probe_cells_until_hit(const std::function<b
     return std::nullopt;
 }
 
-// The cells of the vertices inserted since the last time. Those that need no probe, for every point of them
-// is near a Voronoi edge, are probed as they stand: refinement has asked about all Voronoi edges.
+// The cells of the vertices inserted since the last time. Those that can be probed at once, and without a
+// hit, are: when that is done changes nothing, and here they are warm in the cache.
 void CellProbing::collect_unprobed_cells()
 {
     for (const VertexHandle vertex : restricted_.take_unprobed_vertices())
     {
         voronoi_cell_.assign(restricted_, vertex);
-        if (probe_at_once())
+        if (options_.certified_skipping ? probe_with_few_probes() : is_probed_by_its_edges())
+        {
+            ++statistics_.cells_probed_at_once;
             vertex->info().cell_probed = true;
+        }
         else
             unprobed_cells_.push(vertex, voronoi_cell_.size_within(domain_.box));
     }
+    update_statistics();
 }
 
-// Whether the cell at hand could be probed without a hit, where that takes no more than two queries.
-bool CellProbing::probe_at_once()
+bool CellProbing::probe_with_few_probes()
 {
-    if (!voronoi_cell_.is_within(domain_))
-        return false;
-    const Cylinder cylinder = voronoi_cell_.cylinder();
-    if (cylinder.radius <= probe_radius_)
-    {
-        ++statistics_.cells_without_probes;
-        return true;
-    }
-    if (cylinder.radius > std::numbers::sqrt2 * probe_radius_)
-        return false;
-    ++statistics_.cells_with_one_probe;
-    const Point3& end = cylinder.axis.source;
-    const Point3& corner = *std::min_element(voronoi_cell_.corners().begin(), voronoi_cell_.corners().end(),
-                                             [&](const Point3& a, const Point3& b)
-                                             { return squared_distance(a, end) < squared_distance(b, end); });
-    const IsNews news = [this](const Point3& crossing) { return is_news(crossing); };
-    return !probing_.query(cylinder.axis, news) && !probing_.query({end, corner}, news);
+    voronoi_cell_.outline(domain_, outline_);
+    return slab_probing_.probe(outline_, is_news_, SlabProbing::Effort::kFewProbes) ==
+           SlabProbing::Outcome::kProbed;
+}
+
+// Whether every point of the cell is near one of its edges: refinement has asked about all Voronoi edges. See
+// SlabProbing for the proof.
+bool CellProbing::is_probed_by_its_edges() const
+{
+    return voronoi_cell_.is_within(domain_) && voronoi_cell_.cylinder().radius <= probe_radius_;
 }
 
 std::optional<Point3> CellProbing::probe_cell(VertexHandle vertex)
 {
     ++statistics_.cells_probed;
     voronoi_cell_.assign(restricted_, vertex);
-    voronoi_cell_.clip_to(domain_, region_);
-    if (region_.corners.empty())
-        return std::nullopt; // it misses the domain
-    return probe(region_, [this](const Point3& crossing) { return is_news(crossing); });
+    std::optional<Point3> hit;
+    if (options_.certified_skipping)
+    {
+        voronoi_cell_.outline(domain_, outline_);
+        hit = probe_slabs(is_news_);
+    }
+    else
+    {
+        voronoi_cell_.clip_to(domain_, region_);
+        if (!region_.corners.empty()) // otherwise it misses the domain
+            hit = probing_.probe_all(region_, is_news_);
+    }
+    update_statistics();
+    return hit;
 }
 
 // A facet near the crossing is nearly always in the star of the nearest vertex. Where it is not, a new vertex
 // at the crossing would be inside one of its balls: it is in the conflict zone.
 bool CellProbing::is_news(const Point3& crossing)
 {
-    if (is_explained(crossing, voronoi_cell_.star()))
+    if (facets_of_ != voronoi_cell_.vertex())
+    {
+        facets_of_ = voronoi_cell_.vertex();
+        collect_facets(voronoi_cell_.star(), facets_near_);
+    }
+    const double squared_reach = options_.reach_lower_bound * options_.reach_lower_bound;
+    if (squared_distance(crossing, voronoi_cell_.site()) < squared_reach ||
+        is_explained(crossing, facets_near_))
         return false;
+
     const auto& triangulation = restricted_.triangulation();
     const auto p = cgal_point(crossing);
     const DelaunayCell start = triangulation.locate(p, voronoi_cell_.vertex()->cell());
-    std::vector<DelaunayCell> zone;
-    triangulation.find_conflicts(p, start, CGAL::Emptyset_iterator(), std::back_inserter(zone));
-    return !zone.empty() && !is_explained(crossing, zone);
-}
-
-// Whether the crossing is nearer than the reach to the odd facets of the Delaunay cells, or to their
-// vertices.
-bool CellProbing::is_explained(const Point3& crossing, const std::vector<DelaunayCell>& delaunay_cells)
-{
-    const double squared_reach = options_.reach_lower_bound * options_.reach_lower_bound;
-    for (const DelaunayCell delaunay_cell : delaunay_cells)
+    zone_.clear();
+    triangulation.find_conflicts(p, start, CGAL::Emptyset_iterator(), std::back_inserter(zone_));
+    for (const DelaunayCell delaunay_cell : zone_)
     {
-        for (int i = 0; i < 4; ++i)
+        for (const Point3& corner : corner_positions(delaunay_cell))
         {
-            if (squared_distance(position(delaunay_cell->vertex(i)), crossing) < squared_reach)
-                return true;
-            const FacetId id = delaunay_cell->info().facet[static_cast<std::size_t>(i)];
-            if (id >= kUnqueriedFacet || !restricted_.facet(id).odd())
-                continue;
-            const RestrictedFacet& facet = restricted_.facet(id);
-            const auto corners = restricted_.corners(facet);
-            if (facet.squared_radius - squared_circumradius(corners) <= squared_reach &&
-                squared_distance_to_triangle(crossing, corners) < squared_reach)
-                return true;
+            if (squared_distance(corner, crossing) < squared_reach)
+                return false;
         }
     }
-    return false;
+    collect_facets(zone_, facets_in_zone_);
+    return !zone_.empty() && !is_explained(crossing, facets_in_zone_);
+}
+
+// The odd facets of the Delaunay cells that are nowhere farther from the surface than the reach, as far as
+// their surface Delaunay balls tell.
+void CellProbing::collect_facets(const std::vector<DelaunayCell>& delaunay_cells,
+                                 std::vector<std::array<Point3, 3>>& facets) const
+{
+    const double squared_reach = options_.reach_lower_bound * options_.reach_lower_bound;
+    facets.clear();
+    for (const DelaunayCell delaunay_cell : delaunay_cells)
+    {
+        for (const FacetId id : delaunay_cell->info().facet)
+        {
+            if (id >= kUnqueriedFacet || !restricted_.facet(id).odd())
+                continue;
+            const auto corners = restricted_.corners(restricted_.facet(id));
+            if (restricted_.facet(id).squared_radius - squared_circumradius(corners) <= squared_reach)
+                facets.push_back(corners);
+        }
+    }
+}
+
+bool CellProbing::is_explained(const Point3& crossing, const std::vector<std::array<Point3, 3>>& facets) const
+{
+    const double squared_reach = options_.reach_lower_bound * options_.reach_lower_bound;
+    return std::any_of(facets.begin(), facets.end(),
+                       [&](const std::array<Point3, 3>& corners)
+                       { return squared_distance_to_triangle(crossing, corners) < squared_reach; });
 }
 
 } // namespace voroprobe

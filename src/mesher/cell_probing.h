@@ -8,6 +8,7 @@
 #include "mesher/probing.h"
 #include "mesher/restricted_delaunay.h"
 #include "mesher/seeded_mesher.h"
+#include "mesher/slab_probing.h"
 #include "mesher/voronoi_cell.h"
 
 namespace voroprobe
@@ -36,6 +37,8 @@ class CellProbing
 public:
     //! All references must outlive the object.
     CellProbing(RestrictedDelaunay& restricted, const MeshingOptions& options, MeshingStatistics& statistics);
+    CellProbing(const CellProbing&) = delete; // is_news_ knows where it lives
+    CellProbing& operator=(const CellProbing&) = delete;
 
     //! probe(Omega).
     std::optional<ProbeHit> probe_domain();
@@ -45,11 +48,16 @@ public:
 
 private:
     void collect_unprobed_cells();
-    bool probe_at_once();
-    std::optional<Point3> probe(const ConvexRegion& region, const IsNews& is_news);
+    bool probe_with_few_probes();
+    [[nodiscard]] bool is_probed_by_its_edges() const;
+    std::optional<Point3> probe_slabs(const IsNews& is_news);
+    void update_statistics();
     std::optional<Point3> probe_cell(VertexHandle vertex);
     [[nodiscard]] bool is_news(const Point3& crossing);
-    [[nodiscard]] bool is_explained(const Point3& crossing, const std::vector<DelaunayCell>& delaunay_cells);
+    void collect_facets(const std::vector<DelaunayCell>& delaunay_cells,
+                        std::vector<std::array<Point3, 3>>& facets) const;
+    [[nodiscard]] bool is_explained(const Point3& crossing,
+                                    const std::vector<std::array<Point3, 3>>& facets) const;
 
     RestrictedDelaunay& restricted_;
     MeshingOptions options_;
@@ -61,6 +69,13 @@ private:
     ProbeQueue unprobed_cells_;
     VoronoiCell voronoi_cell_;
     ConvexRegion region_;
+    ConvexOutline outline_;
+    SlabProbing slab_probing_;
+    VertexHandle facets_of_; //!< whose facets are in facets_near_
+    std::vector<std::array<Point3, 3>> facets_near_;
+    std::vector<std::array<Point3, 3>> facets_in_zone_;
+    std::vector<DelaunayCell> zone_;
+    IsNews is_news_; //!< of crossings in voronoi_cell_
 };
 
 } // namespace voroprobe

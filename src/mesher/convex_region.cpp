@@ -79,6 +79,27 @@ double smallest_face(const ThinBox& box)
 
 } // namespace
 
+std::array<Segment3, 12> edges_of(const Box3& box)
+{
+    std::array<Segment3, 12> edges;
+    std::size_t count = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+        for (unsigned side = 0; side < 4; ++side)
+        {
+            Point3 source = box.min;
+            if ((side & 1U) != 0)
+                source[(axis + 1) % 3] = box.max[(axis + 1) % 3];
+            if ((side & 2U) != 0)
+                source[(axis + 2) % 3] = box.max[(axis + 2) % 3];
+            Point3 target = source;
+            target[axis] = box.max[axis];
+            edges[count++] = {source, target};
+        }
+    }
+    return edges;
+}
+
 void append_box(const Box3& box, ConvexRegion& region)
 {
     for (std::size_t axis = 0; axis < 3; ++axis)

@@ -46,6 +46,9 @@ struct ProbedDomain
 //! The whole domain; its hub lies on its boundary. Replaces `region`.
 void make_domain_region(const ProbedDomain& domain, ConvexRegion& region);
 
+//! The twelve edges of a box.
+std::array<Segment3, 12> edges_of(const Box3& box);
+
 //! Appends the six half-spaces of a box, relative to `region.origin`.
 void append_box(const Box3& box, ConvexRegion& region);
 

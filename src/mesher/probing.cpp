@@ -17,16 +17,6 @@ namespace
 // Finer tilings would take hours.
 constexpr double kMostTiles = 1U << 28U;
 
-// Longest side of a box with three probes, in its shorter sides: longer ones are seldom certified, shorter
-// ones cost more than they save.
-constexpr double kLeafLength = 2.0;
-
-// Far above the rounding of coordinates, far below what could be seen.
-constexpr double kRoundingInReaches = 1e-9;
-
-// A tile's half diagonal, its farthest point from the middle, in reaches.
-constexpr double kTileHalfDiagonal = 1.0 - kRoundingInReaches;
-
 //! For each of `count` tiles along a side, when it is probed: those in the middle first, then those in the
 //! middle of what is left on either side, and so on.
 std::vector<std::size_t> middle_first(std::size_t count)
@@ -70,6 +60,14 @@ Point3 Probing::world(const Vec3& coordinates) const
 std::optional<Point3> Probing::query(const Vec3& from, const Vec3& to)
 {
     return query({world(from), world(to)}, *is_news_);
+}
+
+bool Probing::certify(const Box3& box)
+{
+    if (oracle_.may_cross(box))
+        return false;
+    ++counts_.boxes_certified;
+    return true;
 }
 
 std::optional<Point3> Probing::query(const Segment3& segment, const IsNews& is_news)
@@ -230,98 +228,6 @@ std::optional<Point3> Probing::probe_all(const ConvexRegion& region, const IsNew
         }
     }
     return std::nullopt;
-}
-
-// All boxes of one depth have the same sides: a box that cannot be certified then never has a smaller one in
-// the middle of a side, which its probes would miss.
-void Probing::plan_halvings()
-{
-    halved_axis_.clear();
-    Vec3 size = box_.size();
-    const double side = std::numbers::sqrt2 * kTileHalfDiagonal * reach_;
-    const Vec3 wanted{side, side, kLeafLength * side};
-    while (true)
-    {
-        const Vec3 ratio{size.x / wanted.x, size.y / wanted.y, size.z / wanted.z};
-        const std::size_t axis = ratio.x > ratio.y && ratio.x > ratio.z ? 0 : ratio.y > ratio.z ? 1 : 2;
-        if (ratio[axis] <= 1.0)
-            return;
-        halved_axis_.push_back(axis);
-        size[axis] *= 0.5;
-    }
-}
-
-std::optional<Point3> Probing::probe_uncertified(const ConvexRegion& region, const IsNews& is_news)
-{
-    begin(region, is_news);
-    plan_halvings();
-    return probe_piece({0.5 * (box_.low + box_.high), 0.5 * box_.size()}, 0);
-}
-
-std::optional<Point3> Probing::probe_piece(const Piece& piece, std::size_t depth)
-{
-    if (is_outside(piece))
-        return std::nullopt;
-    if (is_certified(piece))
-    {
-        ++counts_.boxes_certified;
-        return std::nullopt;
-    }
-    if (depth == halved_axis_.size())
-        return probe_leaf(piece);
-    const std::size_t axis = halved_axis_[depth];
-    Piece half = piece;
-    half.half[axis] *= 0.5;
-    for (const double side : {-1.0, 1.0})
-    {
-        half.center[axis] = piece.center[axis] + side * half.half[axis];
-        if (const auto news = probe_piece(half, depth + 1))
-            return news;
-    }
-    return std::nullopt;
-}
-
-// For certain: it may say no where a corner of the region's is near. The ball is left out: beyond it all is
-// certified soon.
-bool Probing::is_outside(const Piece& piece) const
-{
-    for (const HalfSpace& half_space : half_spaces_)
-    {
-        const Vec3& n = half_space.normal;
-        const double nearest = dot(n, piece.center) - std::abs(n.x) * piece.half.x -
-                               std::abs(n.y) * piece.half.y - std::abs(n.z) * piece.half.z;
-        if (nearest > half_space.offset)
-            return true;
-    }
-    return false;
-}
-
-bool Probing::is_certified(const Piece& piece) const
-{
-    Vec3 half;
-    for (std::size_t a = 0; a < 3; ++a)
-        half[a] = std::abs(box_.axis[0][a]) * piece.half.x + std::abs(box_.axis[1][a]) * piece.half.y +
-                  std::abs(box_.axis[2][a]) * piece.half.z;
-    const Point3 center = world(piece.center);
-    return !oracle_.may_cross({center - half, center + half});
-}
-
-std::optional<Point3> Probing::probe_leaf(const Piece& piece)
-{
-    for (const std::size_t axis : {2U, 0U, 1U})
-    {
-        Vec3 along;
-        along[axis] = piece.half[axis];
-        if (const auto news = query(piece.center - along, piece.center + along))
-            return news;
-    }
-    const Vec3 to_hub = coordinates_along(box_.axis, region_->hub) - piece.center;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-        if (std::abs(to_hub[axis]) > piece.half[axis] + kRoundingInReaches * reach_)
-            return std::nullopt; // the hub is in another box
-    }
-    return query(piece.center, piece.center + to_hub);
 }
 
 } // namespace voroprobe

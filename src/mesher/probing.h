@@ -11,6 +11,12 @@
 namespace voroprobe
 {
 
+//! Rounding of coordinates, in reaches: far above what it is, far below what could be seen.
+inline constexpr double kRoundingInReaches = 1e-9;
+
+//! A tile's half diagonal, its farthest point from the middle, in reaches.
+inline constexpr double kTileHalfDiagonal = 1.0 - kRoundingInReaches;
+
 //! What probing costs and finds.
 struct ProbeCounts
 {
@@ -47,31 +53,18 @@ public:
     //! and O(sqrt(A) / reach) to connect them. \throw UsageError for more than kMostTiles.
     std::optional<Point3> probe_all(const ConvexRegion& region, const IsNews& is_news);
 
-    //! The same promises at a cost that follows the surface. Halves the thin bounding box, again and again,
-    //! and leaves out what the oracle certifies to be empty: such a box is a probe as thick as itself. In
-    //! what cannot be certified, boxes of about the reach, three probes join the middles of opposite sides:
-    //! they meet each other, and the probes or the certified box beyond each side. Cost: O(log) per box of
-    //! the size of the reach near the surface.
-    std::optional<Point3> probe_uncertified(const ConvexRegion& region, const IsNews& is_news);
+    //! Whether the oracle certifies that the box holds no surface.
+    bool certify(const Box3& box);
+
+    [[nodiscard]] double reach() const { return reach_; }
 
     //! One probe. Returns the first news along it.
     std::optional<Point3> query(const Segment3& segment, const IsNews& is_news);
 
 private:
-    //! A box along the axes of the thin box, by its center and half sides.
-    struct Piece
-    {
-        Vec3 center;
-        Vec3 half;
-    };
     class Tiles;
 
     void begin(const ConvexRegion& region, const IsNews& is_news);
-    void plan_halvings();
-    [[nodiscard]] bool is_outside(const Piece& piece) const;
-    [[nodiscard]] bool is_certified(const Piece& piece) const;
-    std::optional<Point3> probe_piece(const Piece& piece, std::size_t depth);
-    std::optional<Point3> probe_leaf(const Piece& piece);
     std::optional<Point3> query(const Vec3& from, const Vec3& to);
     [[nodiscard]] Point3 world(const Vec3& coordinates) const;
 
@@ -83,8 +76,7 @@ private:
     const ConvexRegion* region_ = nullptr;
     const IsNews* is_news_ = nullptr;
     ThinBox box_;
-    std::vector<HalfSpace> half_spaces_;   //!< the region's, in coordinates along the box's axes
-    std::vector<std::size_t> halved_axis_; //!< for each depth
+    std::vector<HalfSpace> half_spaces_; //!< the region's, in coordinates along the box's axes
     std::vector<Crossing> crossings_;
 };
 

@@ -25,10 +25,9 @@ struct MeshingStatistics
     std::size_t queries_probing = 0;        //!< oracle segment queries by probe()
     std::size_t probe_hits = 0;             //!< crossings found by probing Voronoi cells and inserted
     std::size_t probe_hits_passed_over = 0; //!< crossings met by probe() nearer to the mesh than the reach
-    std::size_t cells_probed = 0;           //!< Voronoi cells probed, each as often as it was begun
-    std::size_t cells_without_probes =
-        0; //!< Voronoi cells whose edges, asked about anyway, are probes enough
-    std::size_t cells_with_one_probe = 0;   //!< Voronoi cells for which the axis is enough beside them
+    std::size_t cells_probed = 0;           //!< Voronoi cells that came up in the queue, as often as they did
+    //! Voronoi cells that took few probes or none and were never in the queue.
+    std::size_t cells_probed_at_once = 0;
     std::size_t queries_initialization = 0; //!< by initialize_component()
     std::size_t queries_refinement = 0;     //!< about dual edges, whoever inserted the point
     std::size_t region_lookups = 0;         //!< oracle point queries

@@ -9,6 +9,15 @@ namespace voroprobe
 namespace
 {
 
+// Points this near to a side of the domain, in its diagonals, lie on it: above rounding.
+constexpr double kOnSideInDiagonals = 1e-9;
+
+//! An order of points, so that each edge is met once.
+bool is_before(const Point3& a, const Point3& b)
+{
+    return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+}
+
 //! The part of the segment in all half-spaces; nullopt where there is none.
 std::optional<ParameterRange> clip_to(const std::vector<HalfSpace>& half_spaces, const Segment3& segment)
 {
@@ -25,28 +34,6 @@ std::optional<ParameterRange> clip_to(const std::vector<HalfSpace>& half_spaces,
             range.second = std::min(range.second, from / (from - to));
     }
     return range.first <= range.second ? std::optional(range) : std::nullopt;
-}
-
-//! The twelve edges of a box.
-std::array<Segment3, 12> edges_of(const Box3& box)
-{
-    std::array<Segment3, 12> edges;
-    std::size_t count = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-        for (unsigned side = 0; side < 4; ++side)
-        {
-            Point3 source = box.min;
-            if ((side & 1U) != 0)
-                source[(axis + 1) % 3] = box.max[(axis + 1) % 3];
-            if ((side & 2U) != 0)
-                source[(axis + 2) % 3] = box.max[(axis + 2) % 3];
-            Point3 target = source;
-            target[axis] = box.max[axis];
-            edges[count++] = {source, target};
-        }
-    }
-    return edges;
 }
 
 } // namespace
@@ -124,6 +111,55 @@ void VoronoiCell::clip_to(const ProbedDomain& domain, ConvexRegion& region) cons
                               [](const Vec3& a, const Vec3& b) { return squared_norm(a) < squared_norm(b); });
 }
 
+void VoronoiCell::outline(const ProbedDomain& domain, ConvexOutline& outline) const
+{
+    outline.origin = site();
+    outline.edges.clear();
+    if (!is_within({domain.box, std::nullopt}))
+    {
+        append_clipped_outline(domain, outline);
+        return;
+    }
+    for (std::size_t c = 0; c < star_.size(); ++c)
+    {
+        for (int i = 0; i < 4; ++i)
+        {
+            const Point3& other = star_[c]->neighbor(i)->info().circumcenter;
+            if (star_[c]->vertex(i) != vertex_ && is_before(corners_[c], other)) // each edge from one end
+                outline.edges.push_back({corners_[c] - outline.origin, other - outline.origin});
+        }
+    }
+}
+
+// The Voronoi edges' parts in the domain, and on each side of the domain the segments between all points
+// where edges of either leave it.
+void VoronoiCell::append_clipped_outline(const ProbedDomain& domain, ConvexOutline& outline) const
+{
+    ConvexRegion region;
+    region.origin = outline.origin;
+    append_bisectors(region);
+    append_clipped_corners(domain, region);
+    for (std::size_t c = 0; c + 1 < region.corners.size(); c += 2)
+        outline.edges.push_back({region.corners[c], region.corners[c + 1]});
+    const double rounding = kOnSideInDiagonals * domain.box.diagonal();
+    std::vector<Point3> on_side;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+        for (const double side : {domain.box.min[axis], domain.box.max[axis]})
+        {
+            on_side.clear();
+            for (const Point3& corner : region.corners)
+            {
+                if (std::abs(corner[axis] + outline.origin[axis] - side) <= rounding)
+                    on_side.push_back(corner);
+            }
+            for (std::size_t a = 0; a < on_side.size(); ++a)
+                for (std::size_t b = 0; b < a; ++b)
+                    outline.edges.push_back({on_side[a], on_side[b]});
+        }
+    }
+}
+
 // The points as near to the site as to a Delaunay neighbour.
 void VoronoiCell::append_bisectors(ConvexRegion& region) const
 {
@@ -161,9 +197,9 @@ void VoronoiCell::append_clipped_corners(const ProbedDomain& domain, ConvexRegio
         for (int i = 0; i < 4; ++i)
         {
             const DelaunayCell neighbor = delaunay_cell->neighbor(i);
-            if (delaunay_cell->vertex(i) == vertex_)
-                continue; // the others are met from both ends, which does no harm
             const Segment3 edge{delaunay_cell->info().circumcenter, neighbor->info().circumcenter};
+            if (delaunay_cell->vertex(i) == vertex_ || !is_before(edge.source, edge.target))
+                continue; // each edge from one end
             if (const auto range = clip_to_box(edge, domain.box))
                 append(edge, *range);
         }

@@ -4,6 +4,7 @@
 
 #include "mesher/convex_region.h"
 #include "mesher/restricted_delaunay.h"
+#include "mesher/slab_probing.h"
 
 namespace voroprobe
 {
@@ -41,10 +42,14 @@ public:
     //! A cylinder around the cell, along its longest extent.
     [[nodiscard]] Cylinder cylinder() const;
 
+    //! The cell clipped to the domain's box, by its edges. Replaces `outline`.
+    void outline(const ProbedDomain& domain, ConvexOutline& outline) const;
+
     //! The cell clipped to the domain, relative to the site.
     void clip_to(const ProbedDomain& domain, ConvexRegion& region) const;
 
 private:
+    void append_clipped_outline(const ProbedDomain& domain, ConvexOutline& outline) const;
     void append_bisectors(ConvexRegion& region) const;
     void append_clipped_corners(const ProbedDomain& domain, ConvexRegion& region) const;
 

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "mesher/probing.h"
+
+namespace voroprobe
+{
+
+//! A convex region by segments whose parts between any two parallel planes span the region's part there: its
+//! edges, and diagonals of its sides perhaps. Every segment is probed or on the domain's boundary.
+struct ConvexOutline
+{
+    Point3 origin;               //!< for a Voronoi cell its site
+    std::vector<Segment3> edges; //!< relative to the origin
+};
+
+//! The domain's.
+ConvexOutline domain_outline(const ProbedDomain& domain);
+
+//! probe(C) at a cost that follows the surface and not the region's volume, with the promises of Probing.
+//!
+//! The region is cut into slabs across its longest extent, at some distance from the site first: near the
+//! site there is surface, farther away there seldom is. A slab is done with, in this order,
+//!
+//! - where it fits into a cylinder as wide as the reach: a section across is a polygon with its corners on
+//!   edges, and a point of a convex polygon is no farther from the nearest corner than the radius of a disk
+//!   around all of them;
+//! - where the oracle certifies its box to hold no surface: such a slab is a probe as thick as itself;
+//! - where it fits into a cylinder sqrt(2) times as wide, by a probe along the cylinder's axis: a point x at
+//!   least the reach e from the axis has a corner v with (v - x) . (x - axis) >= 0, so |v - x|^2 <= 2 e^2 -
+//!   |x - axis|^2 <= e^2. A second probe joins the first to an edge.
+//!
+//! Otherwise it is cut in two. When it is short its box gets the paper's probes, or where that would take
+//! many the box is halved again and again: what cannot be certified, boxes of about the reach, gets three
+//! probes between the middles of opposite sides. They meet each other, and the probes or the certified box
+//! beyond each side. A last probe joins each slab's to an edge.
+class SlabProbing
+{
+public:
+    enum class Outcome
+    {
+        kProbed,    //!< the region is probed, without news
+        kNews,      //!< a crossing is news: news()
+        kUnfinished //!< a slab is too wide for the effort allowed
+    };
+    enum class Effort
+    {
+        kFewProbes, //!< leave wide slabs
+        kAllProbes
+    };
+
+    //! The probing must outlive the object.
+    explicit SlabProbing(Probing& probing) : probing_(probing), reach_(probing.reach()) {}
+
+    Outcome probe(const ConvexOutline& outline, const IsNews& is_news, Effort effort);
+
+    //! The crossing, after Outcome::kNews.
+    [[nodiscard]] const Point3& news() const { return *news_; }
+
+private:
+    struct Slab
+    {
+        double low;
+        double high;
+    };
+    //! Leaves of a box's grid.
+    struct LeafRange
+    {
+        std::array<std::size_t, 3> begin;
+        std::array<std::size_t, 3> end;
+    };
+
+    void choose_axes(const ConvexOutline& outline);
+    Outcome probe_slab(const Slab& slab);
+    void clip_to(const Slab& slab);
+    [[nodiscard]] Box3 world_box_of_points() const;
+    [[nodiscard]] double radius_around(const Vec3& middle) const;
+    [[nodiscard]] double cut(const Slab& slab) const;
+    Outcome probe_axis(const Slab& slab, const Vec3& middle);
+    Outcome probe_box(const Box3& box);
+    Outcome probe_tiles(const Box3& box, const std::array<std::size_t, 3>& leaves);
+    Outcome probe_leaves(const LeafRange& range);
+    Outcome probe_leaf(const Box3& leaf);
+    [[nodiscard]] Box3 box_of(const LeafRange& range) const;
+    [[nodiscard]] bool is_certified(const Box3& box);
+    Outcome query(const Vec3& from, const Vec3& to);
+    [[nodiscard]] Point3 world(const Vec3& c) const
+    {
+        return origin_ + c.x * axis_[0] + c.y * axis_[1] + c.z * axis_[2];
+    }
+
+    Probing& probing_;
+    double reach_;
+
+    // Of the region at hand.
+    const IsNews* is_news_ = nullptr;
+    Effort effort_ = Effort::kAllProbes;
+    std::optional<Point3> news_;
+    Point3 origin_;
+    std::array<Vec3, 3> axis_;    //!< the last along the longest extent
+    std::vector<Segment3> edges_; //!< in coordinates along the axes
+    std::vector<Vec3> points_;    //!< of the slab at hand
+    Point3 leaf_origin_;          //!< of the box at hand
+    Vec3 leaf_side_;
+    Vec3 hub_; //!< a point of an edge in the slab at hand
+};
+
+} // namespace voroprobe
