@@ -18,8 +18,8 @@ struct Scan
 {
     const char* file;
     double isovalue;
-    std::size_t surfaces; //!< by face saddles alone: body saddles join some of them
-    std::size_t joined;   //!< at most so many
+    std::size_t surfaces; //!< by face saddles alone, those of value 0 outside
+    std::size_t joined;   //!< at most so many, by body saddles and by face saddles of value 0
 };
 
 void PrintTo(const Scan& scan, std::ostream* out)
