@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "io/mesh_file.h"
 
@@ -38,6 +39,9 @@ std::optional<OrientedPoint> parse_point(std::string_view line)
 
 std::vector<OrientedPoint> read_point_cloud(const std::filesystem::path& path)
 {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error))
+        fail_reading(path, "there is no such file");
     std::istringstream file(read_whole_file(path));
     std::vector<OrientedPoint> points;
     std::string line;

@@ -119,6 +119,12 @@ TEST_F(ShapesTest, a_mesh_is_meshed_anew_and_its_defaults_follow_its_diagonal)
     EXPECT_NEAR(summary["parameters"]["reach_mm"].get<double>(), 0.5 * size, 1e-9 * size);
 }
 
+TEST_F(ShapesTest, a_mesh_is_no_scan_to_check_another_against)
+{
+    ASSERT_EQ(run(mesh_ball("ball.ply")).status, 0);
+    expect_refusal({"check", folder_ / "ball.ply", "--against", folder_ / "ball.ply"}, 2, "no volume");
+}
+
 TEST_F(ShapesTest, a_mesh_that_bounds_nothing_is_an_input_error_that_tells_why)
 {
     std::ofstream(folder_ / "open.off") << "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
@@ -148,6 +154,7 @@ TEST_F(ShapesTest, points_with_normals_are_fitted_and_meshed)
 
     std::ofstream(folder_ / "bare.xyz") << "1 2 3 0 0 1\n1 2 3\n";
     expect_refusal({"mesh", folder_ / "bare.xyz", "-o", folder_ / "out.stl"}, 3, "line 2");
+    expect_refusal({"mesh", folder_ / "absent.xyz", "-o", folder_ / "out.stl"}, 3, "no such file");
 }
 
 } // namespace
