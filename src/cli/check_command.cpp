@@ -4,6 +4,7 @@
 
 #include "cli/check_run.h"
 #include "cli/mesh_defaults.h"
+#include "cli/shape_input.h"
 #include "cli/summary.h"
 #include "cli/warnings.h"
 #include "io/mesh_reader.h"
@@ -28,7 +29,12 @@ void check_arguments(const CheckArguments& arguments)
     if (arguments.mesh.empty())
         throw UsageError("MESH is ''; allowed: a file");
     if (arguments.against)
+    {
+        if (is_shape({.path = *arguments.against, .read = {}}))
+            throw UsageError("--against is '" + arguments.against->string() +
+                             "', which is no volume; allowed: a volume");
         check_read_options(*arguments.against, arguments.read);
+    }
     if (!arguments.json)
         return;
     std::error_code unknown; // what does not exist is not the same

@@ -153,8 +153,6 @@ bool is_shape(const SurfaceRequest& request)
 
 void check_shape_request(const SurfaceRequest& request)
 {
-    if (request.inventory == InventoryOfSurfaces::kWanted)
-        throw UsageError("'" + request.path.string() + "' is no volume; allowed here: a volume");
     const ReadOptions& read = request.read;
     if (read.spacing || read.frame || read.series || read.grid)
         throw UsageError("--spacing, --frame, --series and --grid go with volumes only; there is none here");
