@@ -1,6 +1,7 @@
 #include "certificate/self_intersections.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
 #include <tbb/concurrent_vector.h>
+#include <tbb/parallel_for.h>
 
 namespace voroprobe
 {
@@ -47,7 +49,7 @@ public:
         switch (shared_corners_first(a, b))
         {
         case 0:
-            return CGAL::do_intersect(triangle(a), triangle(b));
+            return meet_apart(a, b);
         case 1:
             return meet_beyond_corner(a, b);
         case 2:
@@ -79,25 +81,73 @@ private:
         return {points_[face[0]], points_[face[1]], points_[face[2]]};
     }
 
+    //! On which side of the plane of `face` a point lies.
+    [[nodiscard]] CGAL::Orientation side(const Face& face, std::uint32_t vertex) const
+    {
+        return CGAL::orientation(points_[face[0]], points_[face[1]], points_[face[2]], points_[vertex]);
+    }
+
+    //! Of faces without a common corner. Faces of one plane, as those of caps are, would cost CGAL's general
+    //! answer its exact arithmetic.
+    [[nodiscard]] bool meet_apart(const Face& a, const Face& b) const
+    {
+        const auto sides = [&](const Face& plane, const Face& face) {
+            return std::array{side(plane, face[0]), side(plane, face[1]), side(plane, face[2])};
+        };
+        const auto of_b = sides(a, b);
+        const bool to_one_side = of_b[0] == of_b[1] && of_b[1] == of_b[2];
+        if (to_one_side)
+            return of_b[0] == CGAL::COPLANAR && overlap_in_plane(a, b);
+        const auto of_a = sides(b, a);
+        if (of_a[0] == of_a[1] && of_a[1] == of_a[2])
+            return false;
+        return CGAL::do_intersect(triangle(a), triangle(b));
+    }
+
+    [[nodiscard]] CGAL::Orientation turn(std::uint32_t p, std::uint32_t q, std::uint32_t r) const
+    {
+        return CGAL::coplanar_orientation(points_[p], points_[q], points_[r]);
+    }
+
+    //! Of faces of one plane: convex, they are apart where the other lies beyond a side of one.
+    [[nodiscard]] bool overlap_in_plane(const Face& a, const Face& b) const
+    {
+        return !has_separating_side(a, b) && !has_separating_side(b, a);
+    }
+
+    [[nodiscard]] bool has_separating_side(const Face& face, const Face& other) const
+    {
+        const CGAL::Orientation beyond = -turn(face[0], face[1], face[2]);
+        for (std::size_t i = 0; i < 3; ++i)
+            if (std::all_of(other.begin(), other.end(),
+                            [&](std::uint32_t vertex)
+                            { return turn(face[i], face[(i + 1) % 3], vertex) == beyond; }))
+                return true;
+        return false;
+    }
+
     //! Of faces that share corner 0. What they have in common is convex and holds that corner: if it is more,
-    //! it reaches the side opposite the corner in one of them.
+    //! it is a segment from there on, or a sector.
     [[nodiscard]] bool meet_beyond_corner(const Face& a, const Face& b) const
     {
-        if (lies_strictly_to_one_side(a, b) || lies_strictly_to_one_side(b, a))
+        const CGAL::Orientation first = side(a, b[1]);
+        const CGAL::Orientation second = side(a, b[2]);
+        if (first == CGAL::COPLANAR && second == CGAL::COPLANAR)
+            return is_in_sector(a, b[1]) || is_in_sector(a, b[2]) || is_in_sector(b, a[1]) ||
+                   is_in_sector(b, a[2]);
+        if (first == CGAL::COPLANAR || second == CGAL::COPLANAR)
+            return is_in_sector(a, first == CGAL::COPLANAR ? b[1] : b[2]);
+        if (first == second || side(b, a[1]) == side(b, a[2]))
             return false;
         return CGAL::do_intersect(Segment(points_[a[1]], points_[a[2]]), triangle(b)) ||
                CGAL::do_intersect(Segment(points_[b[1]], points_[b[2]]), triangle(a));
     }
 
-    //! Whether face b, but for corner 0 that it shares with a, lies to one side of the plane of a: the usual
-    //! case, quickly told.
-    [[nodiscard]] bool lies_strictly_to_one_side(const Face& a, const Face& b) const
+    //! Whether a point of the plane of `face` lies between its sides from corner 0, prolonged, or on them.
+    [[nodiscard]] bool is_in_sector(const Face& face, std::uint32_t vertex) const
     {
-        const Point& p = points_[a[0]];
-        const Point& q = points_[a[1]];
-        const Point& r = points_[a[2]];
-        const CGAL::Orientation side = CGAL::orientation(p, q, r, points_[b[1]]);
-        return side != CGAL::COPLANAR && side == CGAL::orientation(p, q, r, points_[b[2]]);
+        const CGAL::Orientation beyond = -turn(face[0], face[1], face[2]);
+        return turn(face[0], face[1], vertex) != beyond && turn(face[0], vertex, face[2]) != beyond;
     }
 
     //! Faces that share the edge of corners 0 and 1 meet elsewhere only where one is folded onto the other.
@@ -112,6 +162,63 @@ private:
 
     std::vector<Point> points_;
 };
+
+//! Boxes are searched for overlaps in so many strips across the mesh, in parallel.
+constexpr std::size_t kStrips = 32;
+
+//! The places across which the mesh is cut, ascending: about as many boxes begin in each strip.
+std::vector<double> cuts_between_strips(const std::vector<FaceBox>& boxes, int axis)
+{
+    std::vector<double> begins;
+    begins.reserve(boxes.size());
+    for (const FaceBox& box : boxes)
+        begins.push_back(box.min_coord(axis));
+    std::sort(begins.begin(), begins.end());
+    std::vector<double> cuts;
+    for (std::size_t i = 1; i < kStrips && !begins.empty(); ++i)
+        cuts.push_back(begins[i * begins.size() / kStrips]);
+    return cuts;
+}
+
+//! The strip that a coordinate lies in.
+std::size_t strip_of(const std::vector<double>& cuts, double x)
+{
+    return static_cast<std::size_t>(std::upper_bound(cuts.begin(), cuts.end(), x) - cuts.begin());
+}
+
+int longest_axis(const TriangleMesh& mesh)
+{
+    const Vec3 extent = bounding_box(mesh).extent();
+    if (extent.x >= extent.y && extent.x >= extent.z)
+        return 0;
+    return extent.y >= extent.z ? 1 : 2;
+}
+
+//! Calls `visit(f, g)` for every pair of faces whose boxes meet, from several threads at once.
+template <typename Visitor>
+void for_each_meeting_pair(const std::vector<FaceBox>& boxes, int axis, const Visitor& visit)
+{
+    const std::vector<double> cuts = cuts_between_strips(boxes, axis);
+    std::vector<std::vector<FaceBox>> strips(cuts.size() + 1);
+    for (const FaceBox& box : boxes)
+    {
+        const std::size_t last = strip_of(cuts, box.max_coord(axis));
+        for (std::size_t strip = strip_of(cuts, box.min_coord(axis)); strip <= last; ++strip)
+            strips[strip].push_back(box);
+    }
+    tbb::parallel_for(std::size_t{0}, strips.size(),
+                      [&](std::size_t strip)
+                      {
+                          CGAL::box_self_intersection_d(
+                              strips[strip].begin(), strips[strip].end(),
+                              [&](const FaceBox& a, const FaceBox& b)
+                              {
+                                  // Pairs that share several strips are met in each: the first one counts.
+                                  if (strip_of(cuts, std::max(a.min_coord(axis), b.min_coord(axis))) == strip)
+                                      visit(a.info(), b.info());
+                              });
+                      });
+}
 
 } // namespace
 
@@ -128,13 +235,12 @@ std::vector<FacePair> self_intersections(const TriangleMesh& mesh)
         else
             found.emplace_back(f, f);
     }
-    CGAL::box_self_intersection_d<CGAL::Parallel_tag>(
-        boxes.begin(), boxes.end(),
-        [&](const FaceBox& a, const FaceBox& b)
-        {
-            if (pairs.meet_elsewhere(mesh.faces[a.info()], mesh.faces[b.info()]))
-                found.push_back(std::minmax(a.info(), b.info()));
-        });
+    for_each_meeting_pair(boxes, longest_axis(mesh),
+                          [&](std::uint32_t f, std::uint32_t g)
+                          {
+                              if (pairs.meet_elsewhere(mesh.faces[f], mesh.faces[g]))
+                                  found.push_back(std::minmax(f, g));
+                          });
     std::vector<FacePair> sorted(found.begin(), found.end());
     std::sort(sorted.begin(), sorted.end());
     return sorted;

@@ -6,6 +6,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include "certificate/mesh_distance.h"
 #include "certificate/mesh_samples.h"
@@ -214,9 +215,8 @@ DirectedDistance distance_from_mesh(const TriangleMesh& mesh, const SurfaceOracl
 }
 
 DirectedDistance distance_from_surface(const std::vector<Point3>& lines_points,
-                                       const std::vector<Point3>& given, const TriangleMesh& mesh)
+                                       const std::vector<Point3>& given, const MeshDistance& distance_to_mesh)
 {
-    const MeshDistance distance_to_mesh(mesh);
     const auto distances_to_mesh = [&](const std::vector<Point3>& points)
     {
         return distances_of(
@@ -281,8 +281,12 @@ SurfaceDistance surface_distance(const TriangleMesh& mesh, const SurfaceOracle& 
                     points.empty() && given.empty() ? DirectedDistance{} : infinitely_far(points)};
     std::vector<Point3> all = points;
     all.insert(all.end(), given.begin(), given.end());
-    return {.from_mesh = distance_from_mesh(mesh, oracle, options, all),
-            .from_surface = distance_from_surface(points, given, mesh)};
+    SurfaceDistance result;
+    std::optional<MeshDistance> distance_to_mesh; // its tree takes longest, and one core
+    tbb::parallel_invoke([&] { distance_to_mesh.emplace(mesh); },
+                         [&] { result.from_mesh = distance_from_mesh(mesh, oracle, options, all); });
+    result.from_surface = distance_from_surface(points, given, *distance_to_mesh);
+    return result;
 }
 
 } // namespace voroprobe
