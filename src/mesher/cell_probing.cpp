@@ -12,6 +12,8 @@ namespace voroprobe
 namespace
 {
 
+constexpr std::size_t kCellsBetweenLooks = 1024; // for whether to stop
+
 ProbedDomain probed_domain(const SurfaceOracle& oracle, const MeshingOptions& options)
 {
     if (!options.domain_ball)
@@ -62,17 +64,20 @@ void CellProbing::update_statistics()
     statistics_.probe_hits_passed_over = counts_.hits_passed_over;
 }
 
-std::optional<ProbeHit> CellProbing::probe_cells_until_hit(const std::function<bool()>& stop)
+std::optional<ProbeHit> CellProbing::probe_cells_until_hit(const ProgressSink& stop)
 {
     facets_of_ = {}; // the mesh has changed since
-    collect_unprobed_cells();
+    collect_unprobed_cells(stop);
     const auto size_now = [&](VertexHandle vertex)
     {
         voronoi_cell_.assign(restricted_, vertex);
         return voronoi_cell_.size_within(domain_.box);
     };
-    while (!unprobed_cells_.empty() && !stop())
+    while (!unprobed_cells_.empty())
     {
+        stopped_ = stopped_ || stop.stop_requested();
+        if (stopped_)
+            return std::nullopt;
         const VertexHandle vertex = unprobed_cells_.pop(size_now);
         if (const auto hit = probe_cell(vertex))
         {
@@ -87,10 +92,14 @@ std::optional<ProbeHit> CellProbing::probe_cells_until_hit(const std::function<b
 
 // The cells of the vertices inserted since the last time. Those that can be probed at once, and without a
 // hit, are: when that is done changes nothing, and here they are warm in the cache.
-void CellProbing::collect_unprobed_cells()
+void CellProbing::collect_unprobed_cells(const ProgressSink& stop)
 {
+    std::size_t count = 0;
     for (const VertexHandle vertex : restricted_.take_unprobed_vertices())
     {
+        stopped_ = stopped_ || (++count % kCellsBetweenLooks == 0 && stop.stop_requested());
+        if (stopped_)
+            return;
         voronoi_cell_.assign(restricted_, vertex);
         if (options_.certified_skipping ? probe_with_few_probes() : is_probed_by_its_edges())
         {

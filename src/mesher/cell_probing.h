@@ -10,6 +10,7 @@
 #include "mesher/seeded_mesher.h"
 #include "mesher/slab_probing.h"
 #include "mesher/voronoi_cell.h"
+#include "support/progress.h"
 
 namespace voroprobe
 {
@@ -43,11 +44,14 @@ public:
     //! probe(Omega).
     std::optional<ProbeHit> probe_domain();
 
-    //! Pops Q and probes until a crossing is news; nullopt when Q is empty. `stop` ends it early.
-    std::optional<ProbeHit> probe_cells_until_hit(const std::function<bool()>& stop);
+    //! Pops Q and probes until a crossing is news; nullopt when Q is empty. `stop` can end it early.
+    std::optional<ProbeHit> probe_cells_until_hit(const ProgressSink& stop);
+
+    //! Whether probing was asked to stop while cells were left.
+    [[nodiscard]] bool was_stopped() const { return stopped_; }
 
 private:
-    void collect_unprobed_cells();
+    void collect_unprobed_cells(const ProgressSink& stop);
     bool probe_with_few_probes();
     [[nodiscard]] bool is_probed_by_its_edges() const;
     std::optional<Point3> probe_slabs(const IsNews& is_news);
@@ -71,6 +75,7 @@ private:
     ConvexRegion region_;
     ConvexOutline outline_;
     SlabProbing slab_probing_;
+    bool stopped_ = false;
     VertexHandle facets_of_; //!< whose facets are in facets_near_
     std::vector<std::array<Point3, 3>> facets_near_;
     std::vector<std::array<Point3, 3>> facets_in_zone_;

@@ -17,6 +17,15 @@ constexpr double kShrinkPerAttempt = 0.25;
 // Smallest cube tried, as a fraction of the floor radius: features of the surface below the floor are not
 // pursued.
 constexpr double kSmallestCubeInFloors = 0.5;
+// Wanted distance between the first two points, in half sides of the cube: its edges are 1.41 to 1.73 away.
+constexpr double kFirstEdge = 1.5;
+// Height of the equilateral triangle, in sides.
+constexpr double kEquilateralHeight = 0.87;
+// Largest half side of the cube, as a fraction of the largest ball radius: the first edge is then at most
+// 0.87 of that radius and the ball of an equilateral triangle half of it.
+constexpr double kLargeHalfSide = 0.5;
+// The same for a persistent facet, whose ball must be smaller than that whatever the surface does.
+constexpr double kPersistentHalfSide = 0.25;
 // Half the side of the square, in distances between the first two points: its edges are then 0.75 to 1.06 of
 // that distance away from the midpoint, around the height of the equilateral triangle (0.87).
 constexpr double kSquareHalfSide = 0.75;
@@ -72,7 +81,7 @@ public:
     {
         std::optional<Point3> second;
         for (const Segments4& edges : cube_edges(first, half_side))
-            keep_nearest(edges, first, 1.5 * half_side, second);
+            keep_nearest(edges, first, kFirstEdge * half_side, second);
         if (!second)
             return std::nullopt;
 
@@ -81,7 +90,8 @@ public:
         const double half_square = kSquareHalfSide * length;
         const Point3 middle = 0.5 * (first + *second);
         std::optional<Point3> third;
-        keep_nearest(square_edges(middle, half_square * a, half_square * b), middle, 0.87 * length, third);
+        keep_nearest(square_edges(middle, half_square * a, half_square * b), middle,
+                     kEquilateralHeight * length, third);
         if (!third)
             return std::nullopt;
         return std::array<Point3, 2>{*second, *third};
@@ -119,7 +129,9 @@ bool initialize_component(VertexHandle first, const RestrictedDelaunay& restrict
 {
     ComponentInitialization initialization(restricted.oracle(), statistics);
     const int attempt = first->info().initializations++;
-    const double largest = 0.5 * options.max_facet_radius * std::pow(kShrinkPerAttempt, attempt);
+    const double half_side_of_cube = options.persistent_initialization ? kPersistentHalfSide : kLargeHalfSide;
+    const double largest =
+        half_side_of_cube * options.max_facet_radius * std::pow(kShrinkPerAttempt, attempt);
     const double smallest = std::min(largest, kSmallestCubeInFloors * options.floor_radius);
     for (double half_side = largest; half_side >= smallest; half_side *= 0.5)
     {

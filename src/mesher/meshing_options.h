@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "geometry/vec3.h"
 
@@ -19,7 +20,10 @@ enum class IsolatedVertices
 //! How the mesher gets its first point on each component.
 enum class Seeding
 {
-    kProbe,    //!< the paper: probe the domain, isolated vertices, then the Voronoi cells
+    kInventory, //!< probe the domain, isolated vertices, then what the oracle's inventory lists; as kProbe
+                //!< where the oracle has none
+    kProbe,    //!< the paper: probe the domain, isolated vertices, then the Voronoi cells; and the inventory,
+               //!< where there is one, for what that leaves
     kIsolated, //!< its partial version: probe the domain, isolated vertices (Sec. 5)
     kRandom    //!< as CGAL does: rays from the center of the domain, then refinement alone (Sec. 3)
 };
@@ -68,7 +72,19 @@ struct MeshingOptions
     //! follows the surface's area and not the domain's volume.
     bool certified_skipping = true;
 
-    Seeding seeding = Seeding::kProbe;
+    //! Points near components that need not be looked for, oracle frame. One farther from the surface than
+    //! the reach is counted and left out.
+    std::vector<Point3> seeds = {};
+
+    //! Seeding::kRandom: how many points, and the seed of the generator.
+    std::size_t random_points = 20;
+    std::uint64_t random_seed = 0;
+
+    //! Begin components with persistent facets, whose surface Delaunay balls are under half the largest
+    //! radius, rather than with large ones first (Feree & Alliez 2009, Definition 10).
+    bool persistent_initialization = false;
+
+    Seeding seeding = Seeding::kInventory;
 
     IsolatedVertices isolated_vertices = IsolatedVertices::kAllAtOnce;
 
@@ -77,6 +93,9 @@ struct MeshingOptions
 
     //! Refinement stops there with a flagged partial result. Unset: no bound.
     std::optional<std::size_t> max_vertices = std::nullopt;
+
+    //! Seconds after which the run stops with a flagged partial result, >= 0. Unset: no bound.
+    std::optional<double> max_seconds = std::nullopt;
 };
 
 } // namespace voroprobe

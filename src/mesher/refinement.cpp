@@ -70,7 +70,12 @@ void Refinement::refine()
     while (may_go_on())
     {
         if (const auto bad_facet = bad_facets_.pop(restricted_, statistics_.stale_queue_entries))
-            refine_facet(*bad_facet);
+        {
+            if (restricted_.vertex_count() >= max_vertices_)
+                status_ = MeshingStatus::kBudgetExhausted; // there was more to do
+            else
+                refine_facet(*bad_facet);
+        }
         else if (!find_unresolved_facets() && !find_pinched_vertices())
             return;
     }
@@ -129,9 +134,7 @@ bool Refinement::may_go_on()
 {
     if (status_ != MeshingStatus::kDone)
         return false;
-    if (restricted_.vertex_count() >= max_vertices_)
-        status_ = MeshingStatus::kBudgetExhausted;
-    else if (progress_ != nullptr && statistics_.insertions >= next_report_)
+    if (progress_ != nullptr && statistics_.insertions >= next_report_)
     {
         next_report_ = statistics_.insertions + kInsertionsBetweenReports;
         progress_->report({"refinement", restricted_.vertex_count(), bad_facets_.size()});

@@ -9,11 +9,13 @@
 #include <utility>
 
 #include "mesher/cell_probing.h"
+#include "mesher/deadline.h"
 #include "mesher/faithfulness.h"
 #include "mesher/initialization.h"
 #include "mesher/refinement.h"
 #include "mesher/region_repair.h"
 #include "mesher/restricted_delaunay.h"
+#include "mesher/seeding.h"
 #include "mesher/surface_extraction.h"
 #include "support/error.h"
 #include "support/number_text.h"
@@ -33,26 +35,59 @@ class SeededMesher
 public:
     SeededMesher(const SurfaceOracle& oracle, const MeshingOptions& options, ProgressSink* progress)
         : oracle_(oracle), options_(options), restricted_(oracle, statistics_),
-          refinement_(restricted_, options_, statistics_, progress),
+          deadline_(progress, options.max_seconds),
+          refinement_(restricted_, options_, statistics_, &deadline_),
           cell_probing_(restricted_, options_, statistics_)
     {
     }
 
     MeshingResult run()
     {
-        if (probe_domain())
+        if (insert_seeds() || probe_domain())
         {
             do
                 refinement_.refine();
             while (may_go_on() && (initialize_isolated_vertices() || probe_cells_until_hit()));
         }
-        for (int round = 1; refinement_.status() == MeshingStatus::kDone && pursue_inventory(round); ++round)
+        for (int round = 1; may_go_on() && pursue_inventory(round); ++round)
             refinement_.refine();
+        stopped_ =
+            stopped_ || refinement_.status() == MeshingStatus::kInterrupted || cell_probing_.was_stopped();
         return result();
     }
 
 private:
-    [[nodiscard]] bool may_go_on() const { return refinement_.status() == MeshingStatus::kDone; }
+    //! Whether nothing has stopped the run; remembers it if something has.
+    bool may_go_on()
+    {
+        stopped_ = stopped_ || cell_probing_.was_stopped() || deadline_.stop_requested();
+        return refinement_.status() == MeshingStatus::kDone && !stopped_;
+    }
+
+    //! The points to begin with that are given, or random. False when there are none.
+    bool insert_seeds()
+    {
+        std::size_t& queries = statistics_.queries_initialization;
+        std::vector<Point3> points;
+        if (options_.seeding == Seeding::kRandom)
+            points = random_surface_points(oracle_, options_.random_points, options_.random_seed, queries);
+        for (const Point3& seed : options_.seeds)
+        {
+            if (const auto snapped = snap_to_surface(oracle_, seed, options_.reach_lower_bound, queries))
+                points.push_back(*snapped);
+            else
+                ++statistics_.seeds_off_surface;
+        }
+        for (const Point3& p : points)
+            refinement_.insert(p, VertexOrigin::kProbe);
+        return !points.empty();
+    }
+
+    //! Whether the user knows that there is nothing left to find.
+    [[nodiscard]] bool has_all_components() const
+    {
+        return options_.component_count && count_pieces(restricted_) >= *options_.component_count;
+    }
 
     //! P0 = probe(Omega), initialize_component(P0). False when there is no surface.
     bool probe_domain()
@@ -67,10 +102,13 @@ private:
     //! when Q is empty.
     bool probe_cells_until_hit()
     {
-        if (options_.seeding != Seeding::kProbe)
+        const bool wanted = options_.seeding == Seeding::kProbe ||
+                            (options_.seeding == Seeding::kInventory && oracle_.surface_count() == 0);
+        if (!wanted || has_all_components())
             return false;
         const Stopwatch stopwatch;
-        const auto hit = cell_probing_.probe_cells_until_hit([] { return false; });
+        deadline_.report({"probing", restricted_.vertex_count(), 0});
+        const auto hit = cell_probing_.probe_cells_until_hit(deadline_);
         statistics_.seconds_probing += stopwatch.seconds();
         if (hit)
             refinement_.insert(hit->point, VertexOrigin::kCellProbe, hit->near);
@@ -91,6 +129,8 @@ private:
     bool initialize_isolated_vertices()
     {
         bool any = false;
+        if (options_.seeding == Seeding::kRandom)
+            return any;
         while (const auto isolated = refinement_.take_isolated_vertex())
         {
             if ((*isolated)->info().initializations == kMaxInitializations || !initialize(*isolated))
@@ -106,7 +146,8 @@ private:
     //! not lie on one surface or a region is in pieces. False when there is nothing left to pursue.
     bool pursue_inventory(int round)
     {
-        if (oracle_.surface_count() == 0 || round > kInventoryRounds)
+        const bool wanted = options_.seeding == Seeding::kInventory || options_.seeding == Seeding::kProbe;
+        if (!wanted || oracle_.surface_count() == 0 || round > kInventoryRounds)
             return false;
         const std::vector<SurfaceId> missing = find_missing_surfaces(restricted_);
         const std::size_t seeds =
@@ -118,7 +159,10 @@ private:
             const std::vector<Point3> gaps = find_gaps(restricted_, options_.floor_radius);
             places.insert(places.end(), gaps.begin(), gaps.end());
         }
-        return refinement_.lower_floor(places, round) || seeds > 0;
+        // Along a crease of the interpolant there are the more of them the closer one looks.
+        const bool helps = round == 1 || places.size() < unfaithful_places_;
+        unfaithful_places_ = places.size();
+        return (helps && refinement_.lower_floor(places, round)) || seeds > 0;
     }
 
     MeshingResult result()
@@ -126,11 +170,13 @@ private:
         MeshingResult result;
         ExtractedSurface surface = extract_surface(restricted_, options_, statistics_);
         result.mesh = std::move(surface.mesh);
-        if (options_.close_border)
-            result.surface_of_face = std::move(surface.surface_of_face);
+        result.surface_of_face = std::move(surface.surface_of_face);
         statistics_.seconds_refinement = stopwatch_.seconds();
         result.statistics = statistics_;
         result.status = refinement_.status();
+        if (result.status != MeshingStatus::kBudgetExhausted && stopped_)
+            result.status =
+                deadline_.is_expired() ? MeshingStatus::kBudgetExhausted : MeshingStatus::kInterrupted;
         return result;
     }
 
@@ -139,8 +185,11 @@ private:
     MeshingStatistics statistics_;
     Stopwatch stopwatch_;
     RestrictedDelaunay restricted_;
+    Deadline deadline_;
     Refinement refinement_;
     CellProbing cell_probing_;
+    bool stopped_ = false;              //!< before the work was done
+    std::size_t unfaithful_places_ = 0; //!< when last looked for
 };
 
 void require(bool condition, const std::string& name, double value, const std::string& range)
@@ -159,6 +208,14 @@ void check_options(const MeshingOptions& options)
             "finite and above 0");
     require(options.min_facet_angle_deg >= 0.0 && options.min_facet_angle_deg <= 30.0, "min_facet_angle_deg",
             options.min_facet_angle_deg, "in [0, 30] degrees");
+    const double component_radius = options.component_radius.value_or(options.reach_lower_bound);
+    require(component_radius >= options.reach_lower_bound && std::isfinite(component_radius),
+            "component_radius", component_radius, "finite and at least reach_lower_bound");
+    require(!options.max_seconds || *options.max_seconds >= 0.0, "max_seconds",
+            options.max_seconds.value_or(0.0), "at least 0");
+    if (options.domain_ball)
+        require(positive(options.domain_ball->radius) && is_finite(options.domain_ball->center),
+                "the radius of domain_ball", options.domain_ball->radius, "finite and above 0");
     if (options.max_facet_distance)
         require(positive(*options.max_facet_distance), "max_facet_distance", *options.max_facet_distance,
                 "finite and above 0");

@@ -16,7 +16,7 @@ enum class MeshingStatus
 {
     kDone,
     kInterrupted,    //!< the progress sink asked to stop
-    kBudgetExhausted //!< `max_vertices` reached
+    kBudgetExhausted //!< `max_vertices` or `max_seconds` reached
 };
 
 //! Work done and exceptions made, by purpose. Counts compare across machines, seconds do not.
@@ -37,7 +37,9 @@ struct MeshingStatistics
     std::size_t components_by_initialization = 0;  //!< pieces first met by probe(domain)
     std::size_t components_by_isolated_vertex = 0; //!< pieces begun at an isolated vertex
     std::size_t components_by_probing = 0;         //!< pieces first met by probing a Voronoi cell
+    std::size_t components_by_inventory = 0;       //!< pieces given points because the inventory lists them
     std::size_t components_by_refinement = 0;      //!< pieces that refinement reached by itself
+    std::size_t seeds_off_surface = 0;             //!< seeds given farther from the surface than the reach
     std::size_t isolated_vertices_abandoned = 0;   //!< points of the surface on no face in the end
 
     //! Facets whose dual edge crosses the surface more than once in the end: as small as the floor, unless
@@ -65,7 +67,6 @@ struct MeshingResult
                        //!< face crossing another
 
     //! Of each face the surface of the oracle's inventory it lies on; 0 throughout where there is none.
-    //! Empty where the border is open.
     std::vector<SurfaceId> surface_of_face;
     MeshingStatistics statistics;
     MeshingStatus status = MeshingStatus::kDone;

@@ -302,6 +302,71 @@ TEST_P(CellProbing, with_a_larger_component_radius_costs_fewer_queries)
     EXPECT_LT(2 * coarse.statistics.queries_probing, fine.statistics.queries_probing);
 }
 
+TEST(Seeding, with_known_seeds_and_count_spends_no_probes)
+{
+    MeshingOptions options = options_for(0.8, true);
+    options.seeds = {{3.1, 0, 0}, {1.4, 0, 0}, {11, 4, -5.8}, {-8, 9, 7.2}};
+    options.component_count = 4;
+    const auto result = mesh_surface(scattered_spheres(), options);
+    EXPECT_EQ(analyze_topology(result.mesh).components, 4U);
+    EXPECT_EQ(result.statistics.queries_probing, 0U);
+    EXPECT_EQ(result.statistics.seeds_off_surface, 0U);
+}
+
+TEST(Seeding, counts_seeds_off_the_surface_and_probes_all_the_same)
+{
+    MeshingOptions options = options_for(0.8, true);
+    options.seeds = {{8, 8, 8}};
+    const auto result = mesh_surface(scattered_spheres(), options);
+    EXPECT_EQ(result.statistics.seeds_off_surface, 1U);
+    EXPECT_EQ(analyze_topology(result.mesh).components, 4U);
+}
+
+TEST(Seeding, at_random_misses_what_no_ray_meets)
+{
+    MeshingOptions options = options_for(0.8, true);
+    options.seeding = Seeding::kRandom;
+    const auto result = mesh_surface(scattered_spheres(), options);
+    EXPECT_LT(analyze_topology(result.mesh).components, 4U);
+    EXPECT_EQ(result.statistics.queries_probing, 0U);
+}
+
+TEST(Seeding, without_probing_misses_a_speck)
+{
+    MeshingOptions options = options_for(0.4, true);
+    options.seeding = Seeding::kIsolated;
+    const SphereUnionOracle oracle({{{0, 0, 0}, 3.0}, {{300, 1, 2}, 0.5}}, 3.0);
+    EXPECT_EQ(analyze_topology(mesh_surface(oracle, options).mesh).components, 1U);
+    options.seeding = Seeding::kProbe;
+    EXPECT_EQ(analyze_topology(mesh_surface(oracle, options).mesh).components, 2U);
+}
+
+TEST(Budget, of_no_time_gives_a_flagged_partial_result)
+{
+    MeshingOptions options = options_for(0.8, true);
+    options.max_seconds = 0.0;
+    EXPECT_EQ(mesh_surface(scattered_spheres(), options).status, MeshingStatus::kBudgetExhausted);
+}
+
+TEST(Budget, that_is_just_enough_does_not_make_a_result_partial)
+{
+    MeshingOptions options = options_for(0.8, true);
+    const auto free = mesh_surface(scattered_spheres(), options);
+    options.max_vertices = free.mesh.vertices.size();
+    const auto bounded = mesh_surface(scattered_spheres(), options);
+    EXPECT_EQ(bounded.status, MeshingStatus::kDone);
+    EXPECT_EQ(bounded.mesh.vertices.size(), free.mesh.vertices.size());
+    --*options.max_vertices;
+    EXPECT_EQ(mesh_surface(scattered_spheres(), options).status, MeshingStatus::kBudgetExhausted);
+}
+
+TEST(Budget, component_radius_below_the_reach_is_refused)
+{
+    MeshingOptions options = options_for(0.8, true);
+    options.component_radius = 0.5;
+    EXPECT_THROW(mesh_surface(scattered_spheres(), options), UsageError);
+}
+
 //! The spheres in a domain ten times larger in each direction.
 TEST(CellProbingCost, follows_the_surface_where_empty_space_is_certified)
 {
