@@ -18,10 +18,12 @@ namespace voroprobe
 namespace
 {
 
-constexpr int kPasses = 4;                       // each looks at what the one before has changed
+constexpr int kPasses = 8;                       // each looks at what the one before has changed
 constexpr int kSweeps = 8;                       // of the search for fewer conflicts, in a pass
 constexpr std::size_t kLongestSearch = 50'000;   // Delaunay cells looked at for one bridge
 constexpr double kDiscountInRegion = 1.0 / 32.0; // of the way through a cell that lies in the region
+
+constexpr double kPriceOfConflict = 8.0; // of the way through a cell next to a region that own is not
 
 // Order of what is wrong with the region of a cell.
 constexpr int kCostOfConflict = 2;
@@ -54,18 +56,11 @@ public:
     {
         for (int pass = 0; pass < kPasses; ++pass)
         {
-            std::size_t changed = 0;
-            for (int sweep = 0; sweep < kSweeps; ++sweep)
-            {
-                const std::size_t reconciled = reconcile_neighbors();
-                changed += reconciled;
-                report_.cells_reconciled += reconciled;
-                if (reconciled == 0)
-                    break;
-            }
-            if (join_pieces() + changed == 0)
-                break;
+            const std::size_t reconciled = reconcile();
+            if (join_pieces() + reconciled == 0)
+                return report_;
         }
+        reconcile(); // pieces apart are named as such, regions in contact would be a lie
         return report_;
     }
 
@@ -123,6 +118,21 @@ private:
         for (int i = 0; i < 4; ++i)
             count += compatible(region, delaunay_cell->neighbor(i)->info().region) ? 0 : 1;
         return count;
+    }
+
+    //! Sweeps until no cell changes.
+    std::size_t reconcile()
+    {
+        std::size_t reconciled = 0;
+        for (int sweep = 0; sweep < kSweeps; ++sweep)
+        {
+            const std::size_t changed = reconcile_neighbors();
+            reconciled += changed;
+            if (changed == 0)
+                break;
+        }
+        report_.cells_reconciled += reconciled;
+        return reconciled;
     }
 
     //! Gives cells with a facet that the scan does not have the region that leaves fewest such facets. Every
@@ -320,7 +330,8 @@ private:
             return 0.0;
         if (triangulation_.is_infinite(delaunay_cell) || is_inside(region) == is_inside(own))
             return std::nullopt;
-        const double length = longest_edge(corner_positions(delaunay_cell));
+        const double length = longest_edge(corner_positions(delaunay_cell)) *
+                              (1.0 + kPriceOfConflict * conflicts(delaunay_cell, own));
         return oracle_.region(centroid(corner_positions(delaunay_cell))) == own ? kDiscountInRegion * length
                                                                                 : length;
     }
