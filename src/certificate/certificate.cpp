@@ -198,17 +198,17 @@ private:
     {
         SamplingOptions sampling = options_.sampling;
         sampling.caps = options_.caps;
-        sampling.surface_points.clear();
+        std::vector<Point3> surface_points;
         Box3 box;
         for (std::size_t id = 0; id < surfaces_.size(); ++id)
         {
             box.include(surfaces_[id].box.min);
             box.include(surfaces_[id].box.max);
             if (expected_[id] && !may_end_at_border(surfaces_[id])) // its point may be one of a cap
-                sampling.surface_points.push_back(surfaces_[id].point);
+                surface_points.push_back(surfaces_[id].point);
         }
         sampling.box = box.empty() ? std::nullopt : std::optional(box);
-        certificate_.distance = surface_distance(mesh_, oracle_, sampling);
+        certificate_.distance = surface_distance(mesh_, oracle_, sampling, surface_points);
         certificate_.criteria_exceptions = count_exceptions(mesh_, oracle_, options_.criteria);
     }
 

@@ -69,7 +69,7 @@ struct CertificateOptions
     //! Bounds on faces whose exceptions are to be counted.
     FaceCriteria criteria = {};
 
-    //! Samples for the distance; caps, box and surface points are set by certify().
+    //! Samples for the distance; caps and box are set by certify().
     SamplingOptions sampling = {};
 
     //! Surfaces that are not expected.

@@ -271,10 +271,10 @@ std::vector<Point3> sample_surface(const SurfaceOracle& oracle, const SamplingOp
 }
 
 SurfaceDistance surface_distance(const TriangleMesh& mesh, const SurfaceOracle& oracle,
-                                 const SamplingOptions& options)
+                                 const SamplingOptions& options, std::span<const Point3> surface_points)
 {
     const std::vector<Point3> points = sample_surface(oracle, options);
-    const std::vector<Point3>& given = options.surface_points;
+    const std::vector<Point3> given(surface_points.begin(), surface_points.end());
     if (!(area(mesh) > 0.0))
         return {.from_mesh = {},
                 .from_surface =

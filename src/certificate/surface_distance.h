@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "certificate/nearest_crossing.h"
@@ -51,9 +52,6 @@ struct SamplingOptions
 
     //! Where the surface is looked for, oracle frame. Unset: the oracle's domain.
     std::optional<Box3> box = std::nullopt;
-
-    //! Points of the surface to take whatever the lines meet, such as one of each component.
-    std::vector<Point3> surface_points = {};
 };
 
 //! Points of the surface: crossings of axis-parallel lines, one at a random place in every cell of a regular
@@ -61,9 +59,11 @@ struct SamplingOptions
 //! that gets fewest per area. Deterministic, on all cores.
 std::vector<Point3> sample_surface(const SurfaceOracle& oracle, const SamplingOptions& options);
 
-//! Both ways. Frame: the oracle's. The largest distance is that of the samples: between them there may be a
+//! Both ways. `surface_points`: points of the surface to take whatever the lines meet, such as one of each
+//! component. Frame: the oracle's. The largest distance is that of the samples: between them there may be a
 //! larger one. Deterministic whatever the number of cores.
 SurfaceDistance surface_distance(const TriangleMesh& mesh, const SurfaceOracle& oracle,
-                                 const SamplingOptions& options = {});
+                                 const SamplingOptions& options = {},
+                                 std::span<const Point3> surface_points = {});
 
 } // namespace voroprobe

@@ -93,9 +93,9 @@ TEST(SurfaceDistance, a_piece_that_is_too_much_shows_from_the_mesh_only)
 TEST(SurfaceDistance, finds_a_speck_in_a_large_box_when_given_a_point_of_it)
 {
     const SphereUnionOracle oracle({{{0, 0, 0}, 5.0}, {{40, 0, 0}, 0.001}}, 30.0);
-    SamplingOptions options{.surface_samples = 100};
-    options.surface_points = {{40.001, 0, 0}};
-    EXPECT_NEAR(surface_distance(sample::icosphere(3, 5.0), oracle, options).from_surface.max, 35.0, 0.1);
+    const std::vector<Point3> speck{{40.001, 0, 0}};
+    const TriangleMesh mesh = sample::icosphere(3, 5.0);
+    EXPECT_NEAR(surface_distance(mesh, oracle, {.surface_samples = 100}, speck).from_surface.max, 35.0, 0.1);
 }
 
 TEST(SurfaceDistance, is_the_same_every_time_for_the_same_seed)
