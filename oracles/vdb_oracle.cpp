@@ -6,6 +6,7 @@
 #include "oracles/sparse_lattice.h"
 #include "oracles/vdb_file.h"
 #include "support/error.h"
+#include "support/number_text.h"
 
 namespace voroprobe
 {
@@ -14,6 +15,9 @@ namespace
 
 //! Largest cosine between two axes of a grid that still count as orthogonal; they are then made exactly so.
 constexpr double kSkewTolerance = 1e-3;
+
+//! Boxes of up to so many voxels are passed over for an inventory: a minute of work.
+constexpr double kMostVoxelsListed = 4e9;
 
 //! Largest index, either sign, so that extents and their sums stay within 32 bits.
 constexpr int kMaxIndex = 1 << 29;
@@ -170,7 +174,12 @@ VdbSurface read_vdb_surface(const std::filesystem::path& path, const VdbOptions&
         {Vec3{1.0 / step.x, 0, 0}, Vec3{0, 1.0 / step.y, 0}, Vec3{0, 0, 1.0 / step.z}}};
     const Level level = prepare_values(*grid, where, surface);
     surface.heights = make_sparse_height_field(grid, level, domain, step);
-    if (options.regions == VdbRegions::kListed)
+    const double voxels = static_cast<double>(domain.volume());
+    if (options.regions == VdbRegions::kListed && voxels > kMostVoxelsListed)
+        surface.warnings.push_back("the box of the grid holds " + number_text(voxels) +
+                                   " voxels, its surfaces are listed up to " +
+                                   number_text(kMostVoxelsListed) + ": none is certain to be found");
+    else if (options.regions == VdbRegions::kListed)
         surface.inventory = std::make_shared<const Inventory>(*surface.heights, options.threads);
     surface.oracle = std::make_unique<LatticeOracle<SparseLattice>>(
         SparseLattice(grid, level, domain, step), LatticeRegions{surface.inventory, surface.heights});

@@ -39,7 +39,8 @@ struct VdbSurface
 enum class VdbRegions
 {
     kSides, //!< +1 and -1
-    kListed //!< those of an inventory, which takes a pass over the grid's whole box
+    kListed //!< those of an inventory, which takes a pass over the grid's whole box; not where that holds
+            //!< over 4e9 voxels, which is warned of
 };
 
 //! How to read a .vdb file when the file alone does not settle it.

@@ -68,6 +68,19 @@ void add_criteria(CLI::App& command, MeshArguments& arguments)
                { arguments.max_vertices = parse_count("--max-vertices", given, 1); });
 }
 
+void add_selection(CLI::App& command, MeshArguments& arguments)
+{
+    OptionGroup group(command, "Surfaces to leave out, on purpose (default: none; listed in the report)");
+    SurfaceSelection& selection = arguments.selection;
+    group.number("--min-component-volume", "MM3", selection.min_enclosed_volume, kVolume,
+                 "Those that enclose less, by their voxels, mm3");
+    group.text("--keep-largest", "N", "All but the N objects that enclose most, and their cavities",
+               [&selection](const std::string& given)
+               { selection.keep_largest = parse_count("--keep-largest", given, 1); });
+    command.add_flag("--drop-cavities", selection.drop_cavities, "Cavities, and what floats in them")
+        ->group("Surfaces to leave out, on purpose (default: none; listed in the report)");
+}
+
 void add_output_options(CLI::App& command, MeshArguments& arguments)
 {
     OptionGroup group(command, "Output");
@@ -117,6 +130,8 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments)
         ->type_name("");
     add_surface_options(command, arguments);
     add_criteria(command, arguments);
+    add_selection(command, arguments);
+    add_seeding_options(command, arguments.finding);
     add_output_options(command, arguments);
     add_read_options(command, arguments.read);
     add_run_options(command, arguments);

@@ -6,9 +6,11 @@
 #include <optional>
 #include <string>
 
+#include "certificate/surface_selection.h"
 #include "cli/console_progress.h"
 #include "cli/mesh_defaults.h"
 #include "cli/output_frame.h"
+#include "cli/seeding_arguments.h"
 #include "io/volume_reader.h"
 #include "mesher/meshing_options.h"
 #include "oracles/trilinear_oracle.h"
@@ -44,6 +46,9 @@ struct MeshArguments
     RequestedCriteria criteria;
     IsolatedVertices isolated_vertices = IsolatedVertices::kAllAtOnce;
     std::optional<std::size_t> max_vertices = std::nullopt;
+    SeedingArguments finding;
+
+    SurfaceSelection selection;
 
     OutputFrame frame = OutputFrame::kLps;
     std::optional<std::string> format = std::nullopt; //!< unset: by the extension of `output`

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "cli/interrupt.h"
+#include "cli/mesh_certificate.h"
 #include "cli/mesh_report.h"
 #include "cli/mesh_run.h"
 #include "cli/number_text.h"
@@ -35,7 +36,8 @@ SurfaceRequest request_of(const MeshArguments& arguments)
     SurfaceRequest request{.path = arguments.input,
                            .read = arguments.read,
                            .isovalue = arguments.isovalue,
-                           .inside = arguments.inside};
+                           .inside = arguments.inside,
+                           .inventory = InventoryOfSurfaces::kWanted};
     if (arguments.formula)
         request.formula = FormulaRequest{*arguments.formula, arguments.domain.value_or("")};
     return request;
@@ -80,6 +82,7 @@ MeshingOptions options_of(const MeshArguments& arguments, const SurfaceInput& in
     options.isolated_vertices = arguments.isolated_vertices;
     options.close_border = arguments.border == BorderFaces::kClosed;
     options.max_vertices = arguments.max_vertices;
+    apply_seeding(arguments.finding, input.placement, options);
     return options;
 }
 
@@ -94,13 +97,14 @@ MeshRun read_input(const MeshArguments& arguments, ProgressSink& progress)
                 .facts = {},
                 .output_box = {},
                 .timings = {}};
+    check_selection(arguments, run.input);
     run.options = options_of(arguments, run.input);
     run.timings.read = clock.seconds();
     return run;
 }
 
 //! \throw Error where there is nothing to write.
-TriangleMesh refine_surface(MeshRun& run, ProgressSink& progress)
+MeshingResult refine_surface(MeshRun& run, ProgressSink& progress)
 {
     const Stopwatch clock;
     MeshingResult result = mesh_surface(*run.input.oracle, run.options, &progress);
@@ -109,11 +113,10 @@ TriangleMesh refine_surface(MeshRun& run, ProgressSink& progress)
     if (result.status == MeshingStatus::kBudgetExhausted)
         run.status = RunStatus::kPartial;
     if (!result.mesh.faces.empty())
-        return std::move(result.mesh);
+        return result;
     if (run.status == RunStatus::kPartial)
-        throw Error(ExitStatus::kBudget, "--max-vertices " +
-                                             std::to_string(run.options.max_vertices.value_or(0)) +
-                                             " was reached before there was a face; nothing was written");
+        throw Error(ExitStatus::kBudget,
+                    budget_text(run.options) + " was reached before there was a face; nothing was written");
     if (run.input.kind != InputKind::kVolume)
         throw EmptySurfaceError(run.input.description +
                                 ": no probe met a surface, or all of it is smaller than --floor " +
@@ -173,7 +176,11 @@ void check_and_write(TriangleMesh& mesh, MeshFormat format, MeshRun& run, Progre
 std::vector<std::string> result_warnings(const MeshRun& run)
 {
     std::vector<std::string> warnings;
-    if (const std::size_t abandoned = run.statistics.isolated_vertices_abandoned; abandoned > 0)
+    if (const std::size_t off = run.statistics.seeds_off_surface; off > 0)
+        warnings.push_back(count_text(off) + " points of --seeds are farther from the surface than --reach " +
+                           number_text(run.options.reach_lower_bound) + " mm and were left out");
+    const std::size_t abandoned = run.statistics.isolated_vertices_abandoned;
+    if (abandoned > 0 && !run.certificate) // which knows
         warnings.push_back(
             count_text(abandoned) +
             " points of the surface are on no face of the mesh: parts about as small as --floor " +
@@ -201,8 +208,10 @@ void run_mesh_command(const MeshArguments& arguments)
                                                                                    : arguments.progress);
     MeshRun run = read_input(arguments, *progress);
     print_warnings(run.input.warnings);
-    TriangleMesh mesh = refine_surface(run, *progress);
-    check_and_write(mesh, format, run, *progress);
+    MeshingResult result = refine_surface(run, *progress);
+    progress->report({.phase = "check", .vertices = result.mesh.vertices.size()});
+    drop_and_certify(run, result);
+    check_and_write(result.mesh, format, run, *progress);
     run.timings.total = clock.seconds();
     progress.reset(); // wipes the bar
     print_warnings(result_warnings(run));

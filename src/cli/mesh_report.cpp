@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "cli/certificate_report.h"
 #include "cli/info_text.h"
 #include "cli/number_text.h"
 #include "support/memory.h"
@@ -42,7 +43,8 @@ std::string seeding_text(const MeshRun& run)
     return count_text(run.facts.topology.components) + " found; begun at: first probe " +
            count_text(statistics.components_by_initialization) + ", isolated vertices " +
            count_text(statistics.components_by_isolated_vertex) + ", cell probing " +
-           count_text(statistics.components_by_probing) + ", refinement alone " +
+           count_text(statistics.components_by_probing) + ", inventory " +
+           count_text(statistics.components_by_inventory) + ", refinement alone " +
            count_text(statistics.components_by_refinement);
 }
 
@@ -75,8 +77,8 @@ std::string box_text(const Box3& box, OutputFrame frame)
 std::string times_text(const RunTimings& timings)
 {
     return "read " + seconds_text(timings.read) + ", refinement " + seconds_text(timings.refinement) +
-           ", write " + seconds_text(timings.write) + ", total " + seconds_text(timings.total) +
-           "; peak memory " + bytes_text(peak_memory_bytes());
+           ", certificate " + seconds_text(timings.certificate) + ", write " + seconds_text(timings.write) +
+           ", total " + seconds_text(timings.total) + "; peak memory " + bytes_text(peak_memory_bytes());
 }
 
 } // namespace
@@ -87,7 +89,8 @@ std::string mesh_report(const MeshRun& run)
     return info_line("input", run.arguments.formula.value_or(run.arguments.input.string())) +
            info_line("", input_text(run.input)) +
            (run.input.has_isovalue() ? info_line("isovalue", surface_text(run)) : std::string()) +
-           info_line("criteria", criteria_text(run.options)) + info_line("surfaces", seeding_text(run)) +
+           info_line("criteria", criteria_text(run.options)) + info_line("pieces", seeding_text(run)) +
+           (run.certificate ? certificate_lines(*run.certificate, shown_from_grid(run)) : std::string()) +
            info_line("mesh",
                      count_text(facts.vertices) + " vertices, " + count_text(facts.faces) + " faces") +
            info_line("", topology_text(facts.topology)) + info_line("angles", angles_text(run)) +

@@ -17,6 +17,13 @@ void complain(std::string& complaints, std::size_t count, const std::string& wha
 
 } // namespace
 
+AffineTransform shown_from_grid(const MeshRun& run)
+{
+    const OutputFrame frame =
+        run.arguments.frame == OutputFrame::kIndex ? OutputFrame::kLps : run.arguments.frame;
+    return output_from_grid(frame, run.input.placement);
+}
+
 std::optional<std::string> broken_promise(const MeshFacts& facts, BorderFaces border)
 {
     const MeshTopology& topology = facts.topology;
@@ -38,10 +45,13 @@ void check_promises(const MeshRun& run)
 {
     const std::string output = run.arguments.output.string();
     if (run.status == RunStatus::kPartial)
-        throw Error(ExitStatus::kBudget, "--max-vertices " +
-                                             std::to_string(run.options.max_vertices.value_or(0)) +
-                                             " was reached: " + output + " holds a partial result");
+        throw Error(ExitStatus::kBudget,
+                    budget_text(run.options) + " was reached: " + output + " holds a partial result");
     if (const auto broken = broken_promise(run.facts, run.arguments.border))
+        throw Error(ExitStatus::kIncomplete, output + " was written but has " + *broken);
+    if (!run.certificate)
+        return;
+    if (const auto broken = broken_promise(*run.certificate))
         throw Error(ExitStatus::kIncomplete, output + " was written but has " + *broken);
 }
 

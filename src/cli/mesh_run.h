@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "certificate/certificate.h"
 #include "cli/mesh_arguments.h"
 #include "cli/mesh_facts.h"
 #include "cli/surface_input.h"
@@ -24,6 +25,7 @@ struct RunTimings
 {
     double read = 0.0; //!< input, statistics and oracle
     double refinement = 0.0;
+    double certificate = 0.0;
     double write = 0.0; //!< checks and output
     double total = 0.0;
 };
@@ -36,11 +38,16 @@ struct MeshRun
     MeshingOptions options;
     MeshingStatistics statistics;
     MeshFacts facts;
-    Box3 output_box;                    //!< in the frame of the output
-    std::size_t vertices_on_border = 0; //!< where the domain of a formula cuts the object
+    std::optional<Certificate> certificate = std::nullopt; //!< where the surfaces of the input can be listed
+    Box3 output_box;                                       //!< in the frame of the output
+    std::size_t vertices_on_border = 0;                    //!< where the domain of a formula cuts the object
     RunTimings timings;
     RunStatus status = RunStatus::kDone;
 };
+
+//! Where the boxes of the certificate are shown: in the frame of the output; in lps where that is counted in
+//! voxels, so that they are in mm.
+AffineTransform shown_from_grid(const MeshRun& run);
 
 //! What is wrong with the topology of the mesh, in one line; nullopt where it is as promised.
 std::optional<std::string> broken_promise(const MeshFacts& facts, BorderFaces border);

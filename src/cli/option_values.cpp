@@ -11,6 +11,7 @@ namespace voroprobe
 
 const NumberRule kAnyFinite{[](double) { return true; }, "a finite number"};
 const NumberRule kLength{[](double x) { return x > 0.0; }, "a number > 0, mm"};
+const NumberRule kVolume{[](double x) { return x > 0.0; }, "a number > 0, mm3"};
 const NumberRule kFacetAngle{[](double x) { return x >= 0.0 && x <= 30.0; },
                              "a number from 0 to 30, degrees"};
 

@@ -20,6 +20,7 @@ struct NumberRule
 
 extern const NumberRule kAnyFinite;  //!< "a finite number"
 extern const NumberRule kLength;     //!< "a number > 0, mm"
+extern const NumberRule kVolume;     //!< "a number > 0, mm3"
 extern const NumberRule kFacetAngle; //!< "a number from 0 to 30, degrees"
 
 //! \throw UsageError "OPTION is 'TEXT'; allowed: ALLOWED".

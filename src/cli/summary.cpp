@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/certificate_report.h"
 #include "io/atomic_file.h"
 #include "support/error.h"
 #include "support/memory.h"
@@ -125,6 +126,7 @@ Json seeding_json(const MeshingStatistics& statistics)
     return {{"by_initialization", statistics.components_by_initialization},
             {"by_isolated_vertex", statistics.components_by_isolated_vertex},
             {"by_probing", statistics.components_by_probing},
+            {"by_inventory", statistics.components_by_inventory},
             {"by_refinement", statistics.components_by_refinement},
             {"isolated_vertices_abandoned", statistics.isolated_vertices_abandoned}};
 }
@@ -134,6 +136,9 @@ Json work_json(const MeshingStatistics& statistics)
     return {{"insertions", statistics.insertions},
             {"stale_queue_entries", statistics.stale_queue_entries},
             {"facets_at_floor", statistics.facets_at_floor},
+            {"cells_reconciled", statistics.cells_reconciled},
+            {"crumbs_dissolved", statistics.crumbs_dissolved},
+            {"necks_bridged", statistics.necks_bridged},
             {"cells_relabelled", statistics.cells_relabelled},
             {"contacts_separated", statistics.contacts_separated},
             {"contacts_carved", statistics.contacts_carved}};
@@ -144,24 +149,27 @@ Json work_json(const MeshingStatistics& statistics)
 std::string summary_json(const MeshRun& run)
 {
     const MeshingStatistics& statistics = run.statistics;
-    const Json summary{{"version", VOROPROBE_VERSION},
-                       {"status", status_name(run.status)},
-                       {"input", input_json(run)},
-                       {"parameters", parameters_json(run)},
-                       {"mesh", mesh_json(run)},
-                       {"seeding", seeding_json(statistics)},
-                       {"oracle_queries",
-                        {{"refinement", statistics.queries_refinement},
-                         {"initialization", statistics.queries_initialization},
-                         {"probing", statistics.queries_probing},
-                         {"region_lookups", statistics.region_lookups}}},
-                       {"work", work_json(statistics)},
-                       {"timings_s",
-                        {{"read", run.timings.read},
-                         {"refinement", run.timings.refinement},
-                         {"write", run.timings.write},
-                         {"total", run.timings.total}}},
-                       {"peak_memory_bytes", peak_memory_bytes()}};
+    Json summary{{"version", VOROPROBE_VERSION},
+                 {"status", status_name(run.status)},
+                 {"input", input_json(run)},
+                 {"parameters", parameters_json(run)},
+                 {"mesh", mesh_json(run)},
+                 {"seeding", seeding_json(statistics)},
+                 {"oracle_queries",
+                  {{"refinement", statistics.queries_refinement},
+                   {"initialization", statistics.queries_initialization},
+                   {"probing", statistics.queries_probing},
+                   {"region_lookups", statistics.region_lookups}}},
+                 {"work", work_json(statistics)},
+                 {"timings_s",
+                  {{"read", run.timings.read},
+                   {"refinement", run.timings.refinement},
+                   {"certificate", run.timings.certificate},
+                   {"write", run.timings.write},
+                   {"total", run.timings.total}}},
+                 {"peak_memory_bytes", peak_memory_bytes()}};
+    if (run.certificate)
+        summary["certificate"] = certificate_json(*run.certificate, shown_from_grid(run));
     return summary.dump(2) + '\n';
 }
 

@@ -101,11 +101,15 @@ void check_vdb_isovalue(const VdbSurface& surface)
 SurfaceInput load_vdb_surface(const SurfaceRequest& request)
 {
     VdbSurface surface = read_vdb_surface(
-        request.path, {.grid = request.read.grid, .isovalue = request.isovalue, .inside = request.inside});
+        request.path, {.grid = request.read.grid,
+                       .isovalue = request.isovalue,
+                       .inside = request.inside,
+                       .regions = request.inventory == InventoryOfSurfaces::kWanted ? VdbRegions::kListed
+                                                                                    : VdbRegions::kSides});
     check_vdb_isovalue(surface);
     const GridPlacement placement{surface.world_from_grid, surface.source_index_from_grid};
     return {.oracle = std::move(surface.oracle),
-            .inventory = nullptr,
+            .inventory = std::move(surface.inventory),
             .placement = placement,
             .lattice = file_lattice(surface.active_size, placement),
             .format = "OpenVDB " + surface.grid_class,

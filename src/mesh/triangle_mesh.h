@@ -24,6 +24,10 @@ struct TriangleMesh
 
 Box3 bounding_box(const TriangleMesh& mesh);
 
+//! The faces whose place in `kept` is true, in their order, and the vertices they use. \pre one for each
+//! face.
+TriangleMesh with_faces(const TriangleMesh& mesh, const std::vector<bool>& kept);
+
 //! Moves every vertex; where the transform reverses orientation the faces are turned over, so that they keep
 //! facing outward.
 void transform(TriangleMesh& mesh, const AffineTransform& to_from_mesh);

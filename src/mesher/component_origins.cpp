@@ -16,6 +16,7 @@ enum class FoundBy : std::uint8_t
 {
     kRefinement,
     kIsolatedVertex,
+    kInventory,
     kCellProbe,
     kProbe
 };
@@ -28,6 +29,8 @@ FoundBy found_by(VertexHandle vertex)
         return FoundBy::kProbe;
     if (vertex->info().origin == VertexOrigin::kCellProbe)
         return FoundBy::kCellProbe;
+    if (vertex->info().origin == VertexOrigin::kInventory)
+        return FoundBy::kInventory;
     return vertex->info().initializations > 0 ? FoundBy::kIsolatedVertex : FoundBy::kRefinement;
 }
 
@@ -68,6 +71,7 @@ void count_component_origins(const BoundaryComplex& complex, std::size_t vertice
     statistics.components_by_initialization = count(FoundBy::kProbe);
     statistics.components_by_probing = count(FoundBy::kCellProbe);
     statistics.components_by_isolated_vertex = count(FoundBy::kIsolatedVertex);
+    statistics.components_by_inventory = count(FoundBy::kInventory);
     statistics.components_by_refinement = count(FoundBy::kRefinement);
 }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -95,35 +94,23 @@ void split_fans(TriangleMesh& mesh)
     }
 }
 
-//! Drops the vertices on no face.
-void drop_unused_vertices(TriangleMesh& mesh)
-{
-    constexpr auto kUnused = std::numeric_limits<std::uint32_t>::max();
-    std::vector<std::uint32_t> new_index(mesh.vertices.size(), kUnused);
-    std::vector<Point3> used;
-    for (TriangleMesh::Face& face : mesh.faces)
-    {
-        for (std::uint32_t& corner : face)
-        {
-            if (new_index[corner] == kUnused)
-            {
-                new_index[corner] = static_cast<std::uint32_t>(used.size());
-                used.push_back(mesh.vertices[corner]);
-            }
-            corner = new_index[corner];
-        }
-    }
-    mesh.vertices = std::move(used);
-}
-
 } // namespace
 
-void open_border(const Box3& box, double tolerance, TriangleMesh& mesh)
+void open_border(const Box3& box, double tolerance, ExtractedSurface& surface)
 {
-    std::erase_if(mesh.faces,
-                  [&](const TriangleMesh::Face& face) { return lies_on_side(mesh, face, box, tolerance); });
+    TriangleMesh& mesh = surface.mesh;
+    std::vector<bool> kept;
+    kept.reserve(mesh.faces.size());
+    for (const TriangleMesh::Face& face : mesh.faces)
+        kept.push_back(!lies_on_side(mesh, face, box, tolerance));
+    for (std::size_t f = 0, to = 0; f < kept.size(); ++f)
+    {
+        if (kept[f])
+            surface.surface_of_face[to++] = surface.surface_of_face[f];
+    }
+    mesh = with_faces(mesh, kept);
+    surface.surface_of_face.resize(mesh.faces.size());
     split_fans(mesh);
-    drop_unused_vertices(mesh);
 }
 
 } // namespace voroprobe

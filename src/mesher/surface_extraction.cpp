@@ -95,7 +95,7 @@ ExtractedSurface extract_surface(RestrictedDelaunay& restricted, const MeshingOp
     std::vector<SurfaceId> surface_of_face = surfaces_of_faces(restricted.oracle(), complex);
     ExtractedSurface extracted{std::move(complex.mesh), std::move(surface_of_face)};
     if (!options.close_border)
-        open_border(restricted.oracle().domain(), kOnSideInFloors * options.floor_radius, extracted.mesh);
+        open_border(restricted.oracle().domain(), kOnSideInFloors * options.floor_radius, extracted);
     return extracted;
 }
 

@@ -1,0 +1,79 @@
+#include "cli/mesh_certificate.h"
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "certificate/surface_selection.h"
+#include "support/error.h"
+#include "support/stopwatch.h"
+
+namespace voroprobe
+{
+namespace
+{
+
+//! Vertices of ours lie on the surface; those drawn apart where it touches itself, a hair beside it.
+constexpr double kReachInVoxels = 1.0;
+
+double voxel_volume(const SurfaceInput& input)
+{
+    return 1.0 / std::abs(determinant(input.placement.source_index_from_grid.linear));
+}
+
+void drop(const std::vector<DroppedSurface>& dropped, std::size_t surface_count, MeshingResult& result)
+{
+    std::vector<bool> is_dropped(surface_count, false);
+    for (const DroppedSurface& surface : dropped)
+        is_dropped[static_cast<std::size_t>(surface.id)] = true;
+    std::vector<bool> kept;
+    std::vector<SurfaceId> surface_of_face;
+    for (const SurfaceId surface : result.surface_of_face)
+    {
+        kept.push_back(surface == kNoSurface || !is_dropped[static_cast<std::size_t>(surface)]);
+        if (kept.back())
+            surface_of_face.push_back(surface);
+    }
+    result.mesh = with_faces(result.mesh, kept);
+    result.surface_of_face = std::move(surface_of_face);
+    if (result.mesh.faces.empty())
+        throw EmptySurfaceError("all " + std::to_string(surface_count) +
+                                " surfaces of the scan are left out by --min-component-volume, "
+                                "--keep-largest or --drop-cavities; nothing was written");
+}
+
+} // namespace
+
+void check_selection(const MeshArguments& arguments, const SurfaceInput& input)
+{
+    if (!arguments.selection.keeps_all() && !input.inventory)
+        throw UsageError("--min-component-volume, --keep-largest and --drop-cavities go with volumes only, "
+                         "and the input is: " +
+                         input.format);
+}
+
+void drop_and_certify(MeshRun& run, MeshingResult& result)
+{
+    const SurfaceInput& input = run.input;
+    if (!input.inventory || run.status == RunStatus::kPartial)
+        return;
+    const Stopwatch clock;
+    const std::vector<DroppedSurface> dropped =
+        surfaces_to_drop(input.inventory->surfaces(), voxel_volume(input), run.arguments.selection);
+    if (!dropped.empty())
+        drop(dropped, input.inventory->surfaces().size(), result);
+    const VoxelScale voxel = voxel_scale(input.placement.source_index_from_grid);
+    run.certificate = certify(result.mesh, *input.oracle, input.inventory->surfaces(),
+                              {.reach = kReachInVoxels * voxel.mean_side,
+                               .caps = run.options.close_border ? BorderCaps::kCounted : BorderCaps::kLeftOut,
+                               .criteria = {.min_angle_deg = run.options.min_facet_angle_deg,
+                                            .max_radius = run.options.max_facet_radius,
+                                            .max_center_distance = run.options.max_facet_distance},
+                               .dropped = dropped},
+                              std::span<const SurfaceId>(result.surface_of_face));
+    if (run.status == RunStatus::kDone && broken_promise(*run.certificate))
+        run.status = RunStatus::kIncomplete;
+    run.timings.certificate = clock.seconds();
+}
+
+} // namespace voroprobe
