@@ -84,11 +84,16 @@ void count_edges(const TriangleMesh& mesh, MeshPieces& result)
 
 void sum_up_faces(const TriangleMesh& mesh, MeshPieces& result)
 {
-    const Point3 apex = bounding_box(mesh).center(); // near the mesh, so that rounding stays small
+    // Of each piece one vertex: specks of a millionth of a voxel have a volume below the rounding of the
+    // coordinates from anywhere else.
+    std::vector<Point3> apex_of_piece(result.pieces.size());
     for (std::size_t f = 0; f < mesh.faces.size(); ++f)
     {
         const Face& face = mesh.faces[f];
         MeshPiece& piece = result.pieces[result.piece_of_face[f]];
+        Point3& apex = apex_of_piece[result.piece_of_face[f]];
+        if (piece.faces == 0)
+            apex = mesh.corner(face, 0);
         ++piece.faces;
         piece.euler_characteristic += names_a_vertex_twice(face) ? 0 : 1;
         const Vec3 a = mesh.corner(face, 0) - apex;

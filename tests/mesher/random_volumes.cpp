@@ -1,8 +1,10 @@
 #include "random_volumes.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <ostream>
 
 #include "support/random.h"
@@ -15,9 +17,9 @@ namespace
 
 using Index = std::array<std::size_t, 3>;
 
-constexpr std::array<const char*, kVolumeKindCount> kNames{"white_noise", "smooth_noise",  "integers",
-                                                           "specks",      "checkerboard",  "thin_sheets",
-                                                           "anisotropic", "through_border"};
+constexpr std::array<const char*, kVolumeKindCount> kNames{
+    "white_noise", "smooth_noise", "integers",       "specks", "checkerboard",
+    "thin_sheets", "anisotropic",  "through_border", "blobs",  "shells"};
 
 //! A volume whose samples are given by `value(i, j, k)`, called in order of memory.
 template <class Value>
@@ -79,34 +81,81 @@ std::shared_ptr<Volume> thin_sheets(Random& random, const Index& size)
                 });
 }
 
-std::shared_ptr<Volume> samples_of(VolumeKind kind, Random& random)
+std::shared_ptr<Volume> blobs(Random& random, const Index& size)
 {
-    const auto side = [&] { return static_cast<std::size_t>(6 + random.below(9)); };
-    const Index size{side(), side(), side()};
+    struct Blob
+    {
+        Point3 center;
+        double radius;
+    };
+    std::array<Blob, 12> blobs;
+    for (Blob& blob : blobs)
+    {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            blob.center[axis] = random.uniform(0.0, static_cast<double>(size[axis]));
+        blob.radius = random.uniform(0.4, 0.25 * static_cast<double>(size[0]));
+    }
+    return fill(size, {1, 1, 1},
+                [&](long i, long j, long k)
+                {
+                    const Point3 p{static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)};
+                    double height = -1.0;
+                    for (const Blob& blob : blobs)
+                        height = std::max(height, blob.radius - distance(p, blob.center));
+                    return 0.5 + height;
+                });
+}
+
+std::shared_ptr<Volume> shells(Random& random, const Index& size)
+{
+    Point3 center;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        center[axis] = 0.5 * static_cast<double>(size[axis] - 1) + random.uniform(-0.5, 0.5);
+    const double period = random.uniform(1.6, 3.0);
+    return fill(size, {1, 1, 1},
+                [&](long i, long j, long k)
+                {
+                    const Point3 p{static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)};
+                    return 0.5 + std::sin(2.0 * std::numbers::pi * distance(p, center) / period);
+                });
+}
+
+std::shared_ptr<Volume> samples_of(VolumeKind kind, Random& random, const Index& size)
+{
     const Waves waves(random);
     switch (kind)
     {
     case VolumeKind::kWhiteNoise:
-        return fill({7, 8, 7}, {1, 1, 1}, [&](long, long, long) { return random.uniform(); });
+        return fill(size, {1, 1, 1}, [&](long, long, long) { return random.uniform(); });
     case VolumeKind::kSmoothNoise:
         return fill(size, {1, 1.2, 0.9}, [&](long i, long j, long k) { return 0.45 + waves(i, j, k); });
     case VolumeKind::kIntegers:
-        return fill({7, 7, 8}, {1, 1, 1},
-                    [&](long, long, long) { return static_cast<double>(random.below(4)); });
+        return fill(size, {1, 1, 1}, [&](long, long, long) { return static_cast<double>(random.below(4)); });
     case VolumeKind::kSpecks:
         return specks(random, size);
     case VolumeKind::kCheckerboard:
-        return fill({6, 5, 6}, {1, 1, 1},
+        return fill(size, {1, 1, 1},
                     [&](long i, long j, long k) { return (i + j + k) % 2 == 0 ? 1.0 : 0.0; });
     case VolumeKind::kThinSheets:
         return thin_sheets(random, size);
     case VolumeKind::kAnisotropic:
-        return fill({size[0], size[1], 6}, {1, 1, 8},
+        return fill({size[0], size[1], std::min<std::size_t>(size[2], 6)}, {1, 1, 8},
                     [&](long i, long j, long k) { return 0.4 + waves(i, j, 2 * k); });
     case VolumeKind::kThroughBorder:
         return fill(size, {1, 1, 1}, [&](long i, long j, long k) { return 0.8 + waves(i, j, k); });
+    case VolumeKind::kBlobs:
+        return blobs(random, size);
+    case VolumeKind::kShells:
+        return shells(random, size);
     }
     return nullptr;
+}
+
+RandomVolume random_volume(VolumeKind kind, std::uint64_t seed, Random& random, const Index& size)
+{
+    return {.name = name_of(kind) + ", seed " + std::to_string(seed),
+            .volume = samples_of(kind, random, size),
+            .isovalue = kind == VolumeKind::kIntegers ? 2.0 : 0.5};
 }
 
 } // namespace
@@ -124,9 +173,25 @@ void PrintTo(VolumeKind kind, std::ostream* out)
 RandomVolume make_random_volume(VolumeKind kind, std::uint64_t seed)
 {
     Random random(seed);
-    return {.name = name_of(kind) + ", seed " + std::to_string(seed),
-            .volume = samples_of(kind, random),
-            .isovalue = kind == VolumeKind::kIntegers ? 2.0 : 0.5};
+    switch (kind)
+    {
+    case VolumeKind::kWhiteNoise:
+        return random_volume(kind, seed, random, {7, 8, 7});
+    case VolumeKind::kIntegers:
+        return random_volume(kind, seed, random, {7, 7, 8});
+    case VolumeKind::kCheckerboard:
+        return random_volume(kind, seed, random, {6, 5, 6});
+    default:
+        const auto side = [&] { return static_cast<std::size_t>(6 + random.below(9)); };
+        const Index size{side(), side(), side()};
+        return random_volume(kind, seed, random, size);
+    }
+}
+
+RandomVolume make_random_volume(VolumeKind kind, std::uint64_t seed, std::size_t side)
+{
+    Random random(seed);
+    return random_volume(kind, seed, random, {side, side, side});
 }
 
 } // namespace voroprobe

@@ -21,9 +21,11 @@ enum class VolumeKind
     kCheckerboard,
     kThinSheets,  //!< one voxel thick, tilted
     kAnisotropic, //!< smooth noise on voxels of 1 x 1 x 8
-    kThroughBorder
+    kThroughBorder,
+    kBlobs, //!< balls of many sizes, some of them merging
+    kShells //!< nested, thin, off center
 };
-inline constexpr int kVolumeKindCount = 8;
+inline constexpr int kVolumeKindCount = 10;
 
 //! As an identifier: "white_noise".
 std::string name_of(VolumeKind kind);
@@ -40,5 +42,9 @@ struct RandomVolume
 
 //! At most 14 samples along each axis. The same for the same arguments.
 RandomVolume make_random_volume(VolumeKind kind, std::uint64_t seed);
+
+//! The same kinds, `side` samples along each axis, side at least 4. Odd axes of kAnisotropic volumes have
+//! fewer.
+RandomVolume make_random_volume(VolumeKind kind, std::uint64_t seed, std::size_t side);
 
 } // namespace voroprobe

@@ -1,0 +1,36 @@
+#include "certified_volumes.h"
+
+#include <memory>
+#include <span>
+
+#include "certificate/certificate.h"
+#include "mesh/topology.h"
+#include "mesher/seeded_mesher.h"
+#include "oracles/trilinear_oracle.h"
+#include "self_intersections.h"
+
+namespace voroprobe
+{
+
+std::optional<std::string> what_is_wrong_with_the_mesh_of(const RandomVolume& random)
+{
+    const LevelledVolume levelled = level_volume(random.volume, random.isovalue);
+    const auto inventory = std::make_shared<const Inventory>(*make_height_field(levelled));
+    const auto oracle = make_trilinear_oracle(levelled, inventory);
+    const double voxel = random.volume->geometry.min_spacing();
+    const MeshingResult result = mesh_surface(*oracle, {.max_facet_radius = 2.0 * voxel,
+                                                        .max_facet_distance = 0.3 * voxel,
+                                                        .floor_radius = 0.25 * voxel,
+                                                        .reach_lower_bound = 0.5 * voxel});
+    const TriangleMesh mesh = weld(result.mesh);
+    const Certificate certificate =
+        certify(mesh, *oracle, inventory->surfaces(), {.reach = voxel, .test_self_intersections = false},
+                std::span<const SurfaceId>(result.surface_of_face));
+    if (auto broken = broken_promise(certificate))
+        return broken;
+    if (const auto crossing = find_self_intersections(mesh); !crossing.empty())
+        return std::to_string(crossing.size()) + " pairs of faces that cross";
+    return std::nullopt;
+}
+
+} // namespace voroprobe
