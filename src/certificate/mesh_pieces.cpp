@@ -84,8 +84,8 @@ void count_edges(const TriangleMesh& mesh, MeshPieces& result)
 
 void sum_up_faces(const TriangleMesh& mesh, MeshPieces& result)
 {
-    // Of each piece one vertex: specks of a millionth of a voxel have a volume below the rounding of the
-    // coordinates from anywhere else.
+    // Of each piece one vertex: the volume of a speck is below the rounding of the coordinates from anywhere
+    // else.
     std::vector<Point3> apex_of_piece(result.pieces.size());
     for (std::size_t f = 0; f < mesh.faces.size(); ++f)
     {

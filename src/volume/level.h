@@ -65,9 +65,10 @@ public:
     [[nodiscard]] std::size_t not_finite() const { return not_finite_; }
 
 private:
-    //! A millionth: out of sight, and still far above the rounding of an interpolation between samples of 16
-    //! bits.
-    static constexpr double kNudge = 0x1.0p-20;
+    //! Small enough not to be seen (the surface moves by at most this fraction of a grid edge), large enough
+    //! that what hangs on ties alone, such as a speck of one sample that equals the isovalue, can be meshed
+    //! and survives the rounding to 32-bit floats of an STL file.
+    static constexpr double kNudge = 0x1.0p-8;
 
     //! A difference that shows beside the isovalue, where the samples give none.
     [[nodiscard]] double unit() const { return std::max(1.0, std::abs(isovalue_)); }
