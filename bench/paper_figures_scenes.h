@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "mesher/meshing_options.h"
+#include "oracles/sphere_union_oracle.h"
+#include "oracles/surface_oracle.h"
+#include "support/random.h"
+
+namespace voroprobe::bench
+{
+
+//! A surface of known components, and the criteria it is meshed with. Lengths are those of the figure.
+struct Scene
+{
+    std::unique_ptr<SurfaceOracle> oracle;
+
+    //! Of each component: 2 for a sphere, 0 for a torus.
+    std::vector<long> euler_characteristics;
+
+    //! The component that a point of the surface, or one near it, lies on.
+    std::function<std::size_t(const Point3&)> component_at;
+
+    MeshingOptions options;
+};
+
+//! Figures 3, 7 and 8: `count` spheres of radius at least 1 (at most 50, its logarithm uniform), at least 1
+//! apart, possibly nested, in the ball of radius 100 around the origin, which is the domain. \throw
+//! std::runtime_error where no place is left for another sphere.
+Scene random_spheres(std::size_t count, Random& random);
+
+//! Figure 2: six tori around a sphere.
+Scene tori_around_sphere();
+
+//! Figure 4: one sphere.
+Scene single_sphere();
+
+//! Figures 5 and 9: side^3 spheres of radius 1 whose centers are 3 apart, the report's 3r.
+Scene sphere_grid(std::size_t side);
+
+//! Figure 8, right: x^2 + y^2 + z^2 + sin(4x) + sin(4y) + sin(4z) = 0.
+Scene implicit_surface();
+
+} // namespace voroprobe::bench
