@@ -67,8 +67,9 @@ public:
 private:
     //! Small enough not to be seen (the surface moves by at most this fraction of a grid edge), large enough
     //! that what hangs on ties alone, such as a speck of one sample that equals the isovalue, can be meshed
-    //! and survives the rounding to 32-bit floats of an STL file.
-    static constexpr double kNudge = 0x1.0p-8;
+    //! and survives the rounding to 32-bit floats of an STL file. No fraction of small whole numbers, which
+    //! would put saddles of whole samples on the surface again.
+    static constexpr double kNudge = 0.0037;
 
     //! A difference that shows beside the isovalue, where the samples give none.
     [[nodiscard]] double unit() const { return std::max(1.0, std::abs(isovalue_)); }

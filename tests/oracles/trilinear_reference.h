@@ -37,7 +37,7 @@ public:
             },
             volume.samples);
         for (double& value : field_)
-            value += tie ? smallest * 0x1.0p-8 : 0.0;
+            value += tie ? smallest * 0.0037 : 0.0;
     }
 
     //! Parameters of the crossings, ascending; those on the border of the samples' box included.
