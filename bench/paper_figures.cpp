@@ -52,14 +52,12 @@ Method wide_probing_method()
             .must_be_complete = true};
 }
 
-//! Points of a cube's corners, normalized: eight on the unit sphere.
-std::vector<Point3> points_on_unit_sphere()
+//! The corners of a regular tetrahedron.
+std::vector<Point3> four_points_on_unit_sphere()
 {
     std::vector<Point3> points;
-    for (const double x : {-1.0, 1.0})
-        for (const double y : {-1.0, 1.0})
-            for (const double z : {-1.0, 1.0})
-                points.push_back(normalized(Vec3{x, y, z}));
+    for (const Vec3& corner : {Vec3{1, 1, 1}, Vec3{1, -1, -1}, Vec3{-1, 1, -1}, Vec3{-1, -1, 1}})
+        points.push_back(normalized(corner));
     return points;
 }
 
@@ -100,10 +98,10 @@ void run_tori(Figure& figure, Options options)
 {
     figure.title = "six tori around a sphere";
     options.trials = 1; // nothing random
-    const Method seeded{.name = "seeds on the sphere",
+    const Method seeded{.name = "4 seeds on the sphere",
                         .seeding = Seeding::kRandom,
                         .random_points = 0,
-                        .seeds = points_on_unit_sphere()};
+                        .seeds = four_points_on_unit_sphere()};
     add_rows(figure, options, {seeded, isolated_method(), probing_method()},
              [](Random&) { return tori_around_sphere(); });
 }
@@ -115,13 +113,17 @@ void run_over_seeding(Figure& figure, const Options& options)
              [](Random&) { return single_sphere(); });
 }
 
+//! The report's grid "of size 3r" with 3r from center to center, and with 3r between the spheres: only the
+//! latter has the gaps of at least a diameter that its Proposition 1 asks for.
 void run_sphere_grid(Figure& figure, Options options)
 {
     constexpr std::size_t kSide = 5;
-    figure.title = "a grid of spheres, 3r apart";
-    options.trials = 1; // one grid, one set of rays
-    add_rows(figure, options, {random_method(200), isolated_method(), probing_method()},
-             [](Random&) { return sphere_grid(kSide); });
+    figure.title = "grids of 125 spheres: centers 3r apart; 3r between the spheres";
+    figure.counted = "spheres";
+    options.trials = 1; // one set of rays
+    const std::vector<Method> methods = {random_method(200), isolated_method(), probing_method()};
+    for (const double spacing : {3.0, 5.0})
+        add_rows(figure, options, methods, [&](Random&) { return sphere_grid(kSide, spacing); });
 }
 
 void run_implicit_surface(Figure& figure, Options options)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 
@@ -104,11 +105,12 @@ double depth_in_torus(const Point3& p, const Point3& center, std::size_t axis, d
     return tube - std::hypot(across - ring, along);
 }
 
-// Figure 2 is a picture without numbers: a sphere of radius 1 and, at this distance along each half axis, a
-// torus around that axis. Gaps of 0.35 and 0.97, reach 0.15.
-constexpr double kTorusDistance = 1.4;
-constexpr double kTorusRing = 0.5;
-constexpr double kTorusTube = 0.15;
+// Figure 2: a sphere and minor radii of 1, distances of 1. The major radius is not given, and no torus around
+// each half axis is 1 from both the sphere and its neighbours. Here neighbours are: 2 + 1 from ring to ring,
+// so the distance of a ring's center is its radius + 3 / sqrt(2), and the sphere is 1.92 away. Reach 0.5.
+constexpr double kTorusTube = 1.0;
+constexpr double kTorusRing = 1.5;
+constexpr double kTorusDistance = kTorusRing + 3.0 * std::numbers::sqrt2 / 2.0;
 
 //! Component 0 is the sphere; 1 to 6 are the tori.
 double depth_in_component(const Point3& p, std::size_t component)
@@ -152,17 +154,17 @@ Scene random_spheres(std::size_t count, Random& random)
 
 Scene tori_around_sphere()
 {
-    constexpr double kHalfDomain = 2.5;
+    constexpr double kHalfDomain = 5.5;
     constexpr double kResolution = 1e-6; // far below the gaps and the tubes
     const Box3 domain{{-kHalfDomain, -kHalfDomain, -kHalfDomain}, {kHalfDomain, kHalfDomain, kHalfDomain}};
     const auto depth = [](const Point3& p) { return depth_in_component(p, deepest_component(p)); };
     return {.oracle = std::make_unique<ImplicitOracle>(depth, domain, 1.0, kResolution),
             .euler_characteristics = {2, 0, 0, 0, 0, 0, 0},
             .component_at = deepest_component,
-            .options = {.max_facet_radius = 0.3,
-                        .max_facet_distance = 0.03,
-                        .floor_radius = 0.01,
-                        .reach_lower_bound = 0.14}};
+            .options = {.max_facet_radius = 0.5,
+                        .max_facet_distance = 0.5,
+                        .floor_radius = 0.05,
+                        .reach_lower_bound = 0.49}};
 }
 
 Scene single_sphere()
@@ -174,13 +176,12 @@ Scene single_sphere()
     return scene;
 }
 
-Scene sphere_grid(std::size_t side)
+Scene sphere_grid(std::size_t side, double spacing)
 {
-    constexpr double kSpacing = 3.0;
     std::vector<Sphere> spheres;
     for (std::size_t i = 0; i < side * side * side; ++i)
     {
-        const auto place = [&](std::size_t k) { return kSpacing * static_cast<double>(k % side); };
+        const auto place = [&](std::size_t k) { return spacing * static_cast<double>(k % side); };
         spheres.push_back({{place(i), place(i / side), place(i / (side * side))}, 1.0});
     }
     return sphere_scene(spheres, std::make_unique<SphereUnionOracle>(spheres));

@@ -38,8 +38,8 @@ Scene tori_around_sphere();
 //! Figure 4: one sphere.
 Scene single_sphere();
 
-//! Figures 5 and 9: side^3 spheres of radius 1 whose centers are 3 apart, the report's 3r.
-Scene sphere_grid(std::size_t side);
+//! Figures 5 and 9: side^3 spheres of radius 1 whose centers are `spacing` >= 3 apart.
+Scene sphere_grid(std::size_t side, double spacing);
 
 //! Figure 8, right: x^2 + y^2 + z^2 + sin(4x) + sin(4y) + sin(4z) = 0.
 Scene implicit_surface();
