@@ -1,5 +1,6 @@
 // The experiments of Feree & Alliez, RR-8123, 2009, by the numbers of their figures. Exit status 1 where full
 // probing, which promises every component, leaves one out.
+#include <cmath>
 #include <exception>
 #include <fstream>
 #include <iostream>
@@ -83,11 +84,22 @@ void add_rows(Figure& figure, const Options& options, const std::vector<Method>&
     figure.rows.insert(figure.rows.end(), rows.begin(), rows.end());
 }
 
+//! Samples of the domain of a random union on a cubic grid such that every ball of a radius holds one: the
+//! side is the radius times 2 / sqrt(3).
+std::string grid_samples(double radius)
+{
+    constexpr double kSide = 200.0;
+    const double along_side = std::ceil(kSide * std::sqrt(3.0) / (2.0 * radius)) + 1.0;
+    return std::to_string(std::llround(std::pow(along_side, 3)));
+}
+
 //! Figures 3 and 7 show the same surfaces, meshed from random points and with isolated vertices.
 void run_random_unions(Figure& figure, const Options& options, const std::vector<std::size_t>& counts)
 {
     figure.title = "unions of random spheres";
     figure.counted = "spheres";
+    figure.note = "a grid with a node in every ball of radius 0.5 has " + grid_samples(0.5) +
+                  " samples, of radius 1 " + grid_samples(1.0);
     const std::vector<Method> methods = {random_method(5),  random_method(20), random_method(50),
                                          isolated_method(), probing_method(),  wide_probing_method()};
     for (const std::size_t count : counts)

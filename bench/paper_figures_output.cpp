@@ -124,15 +124,17 @@ void print_table(std::ostream& out, const Figure& figure)
     constexpr double kPercent = 100.0;
     out << "Figure " << figure.number << ": " << figure.title << " (seed " << figure.seed << ")\n"
         << "method                 " << std::setw(11) << figure.counted
-        << "  trials  complete  meshed %   least %   sigma %     queries  vertices   seconds\n";
+        << "  trials  complete  meshed %   least %   sigma %     queries  certificates  vertices   seconds\n";
     for (const Row& row : figure.rows)
         out << std::left << std::setw(23) << row.method << std::right << std::fixed << std::setprecision(1)
             << std::setw(11) << row.components << std::setw(8) << row.trials.size() << std::setw(10)
             << row.complete_trials() << std::setw(10) << kPercent * row.mean_fraction() << std::setw(10)
             << kPercent * row.least_fraction() << std::setw(10) << kPercent * row.fraction_deviation()
-            << std::setprecision(0) << std::setw(12) << row.mean_queries() << std::setw(10)
-            << row.mean_vertices() << std::setprecision(3) << std::setw(10) << row.mean_seconds()
-            << (row.keeps_promise() ? "" : "  NOT COMPLETE") << '\n';
+            << std::setprecision(0) << std::setw(12) << row.mean_queries() << std::setw(14)
+            << row.mean_certificates() << std::setw(10) << row.mean_vertices() << std::setprecision(3)
+            << std::setw(10) << row.mean_seconds() << (row.keeps_promise() ? "" : "  NOT COMPLETE") << '\n';
+    if (!figure.note.empty())
+        out << figure.note << '\n';
 }
 
 nlohmann::json to_json(const Figure& figure)
@@ -147,9 +149,14 @@ nlohmann::json to_json(const Figure& figure)
                         {"least_fraction_meshed", row.least_fraction()},
                         {"fraction_deviation", row.fraction_deviation()},
                         {"oracle_queries", row.mean_queries()},
+                        {"certificates", row.mean_certificates()},
                         {"vertices", row.mean_vertices()},
                         {"seconds", row.mean_seconds()}});
-    return {{"figure", figure.number}, {"title", figure.title}, {"seed", figure.seed}, {"rows", rows}};
+    return {{"figure", figure.number},
+            {"title", figure.title},
+            {"seed", figure.seed},
+            {"note", figure.note},
+            {"rows", rows}};
 }
 
 std::string to_svg(const Figure& figure)

@@ -18,6 +18,7 @@ struct Figure
     std::string title;
     std::string counted; //!< what components are here: "spheres" or "components"
     std::uint64_t seed = 0;
+    std::string note = "";
     std::vector<Row> rows = {};
 
     [[nodiscard]] bool keeps_promises() const;
@@ -25,9 +26,9 @@ struct Figure
 
 void print_table(std::ostream& out, const Figure& figure);
 
-//! {figure, title, seed, rows}; of each row the method, the number of components under the name `counted`,
-//! trials, complete_trials, fraction_meshed (the mean; beside it the least and the standard deviation), and
-//! means over the trials: oracle_queries, vertices, seconds.
+//! {figure, title, seed, note, rows}; of each row the method, the number of components under the name
+//! `counted`, trials, complete_trials, fraction_meshed (the mean; beside it the least and the standard
+//! deviation), and means over the trials: oracle_queries (segments), certificates (boxes), vertices, seconds.
 nlohmann::json to_json(const Figure& figure);
 
 //! A plot of the fraction meshed against the number of components, a line for each method, as an SVG file's

@@ -1,6 +1,7 @@
 #include "bench/paper_figures_trials.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <set>
 #include <stdexcept>
@@ -12,6 +13,31 @@ namespace voroprobe::bench
 {
 namespace
 {
+
+//! Counts the questions about boxes, which the mesher's own statistics do not.
+class CertificateCounter final : public SurfaceOracle
+{
+public:
+    explicit CertificateCounter(const SurfaceOracle& oracle) : oracle_(oracle) {}
+
+    [[nodiscard]] std::size_t count() const { return count_; }
+
+    [[nodiscard]] Box3 domain() const override { return oracle_.domain(); }
+    [[nodiscard]] Region region(const Point3& p) const override { return oracle_.region(p); }
+    void find_crossings(const Segment3& segment, std::vector<Crossing>& crossings) const override
+    {
+        oracle_.find_crossings(segment, crossings);
+    }
+    [[nodiscard]] bool may_cross(const Box3& box) const override
+    {
+        ++count_;
+        return oracle_.may_cross(box);
+    }
+
+private:
+    const SurfaceOracle& oracle_;
+    mutable std::atomic<std::size_t> count_ = 0;
+};
 
 //! A piece of the mesh: its size and the components its vertices lie on.
 struct Piece
@@ -80,13 +106,15 @@ Trial run_trial(const Scene& scene, const Method& method, std::uint64_t random_s
     options.random_seed = random_seed;
     options.seeds = method.seeds;
     options.component_radius = method.component_radius;
-    const MeshingResult result = mesh_surface(*scene.oracle, options);
+    const CertificateCounter oracle(*scene.oracle);
+    const MeshingResult result = mesh_surface(oracle, options);
     if (!result.mesh.faces.empty() && !is_closed_manifold(result.mesh))
         throw std::runtime_error(method.name + ": the mesh is not a closed manifold");
 
     const MeshingStatistics& work = result.statistics;
     Trial trial;
     trial.oracle_queries = work.queries_initialization + work.queries_refinement + work.queries_probing;
+    trial.certificates = oracle.count();
     trial.vertices = result.mesh.vertices.size();
     trial.seconds = work.seconds_refinement;
     judge(pieces_of(result.mesh, scene), scene, trial);
@@ -122,6 +150,11 @@ double Row::fraction_deviation() const
 double Row::mean_queries() const
 {
     return mean(trials, [](const Trial& trial) { return static_cast<double>(trial.oracle_queries); });
+}
+
+double Row::mean_certificates() const
+{
+    return mean(trials, [](const Trial& trial) { return static_cast<double>(trial.certificates); });
 }
 
 double Row::mean_vertices() const

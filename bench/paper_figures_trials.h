@@ -24,10 +24,11 @@ struct Method
 //! What one run made of a scene.
 struct Trial
 {
-    std::size_t components = 0; //!< of the surface
-    std::size_t meshed = 0;     //!< of which a piece of the mesh is a copy
-    bool complete = false;      //!< the mesh is a copy of each component, once, and nothing else
-    std::size_t oracle_queries = 0;
+    std::size_t components = 0;     //!< of the surface
+    std::size_t meshed = 0;         //!< of which a piece of the mesh is a copy
+    bool complete = false;          //!< the mesh is a copy of each component, once, and nothing else
+    std::size_t oracle_queries = 0; //!< about segments
+    std::size_t certificates = 0;   //!< questions whether a box may hold surface
     std::size_t vertices = 0;
     double seconds = 0.0;
 };
@@ -45,6 +46,7 @@ struct Row
     [[nodiscard]] double least_fraction() const;
     [[nodiscard]] double fraction_deviation() const; //!< standard deviation over the trials
     [[nodiscard]] double mean_queries() const;
+    [[nodiscard]] double mean_certificates() const;
     [[nodiscard]] double mean_vertices() const;
     [[nodiscard]] double mean_seconds() const;
     [[nodiscard]] bool keeps_promise() const
