@@ -129,8 +129,8 @@ void run_over_seeding(Figure& figure, const Options& options)
 //! latter has the gaps of at least a diameter that its Proposition 1 asks for.
 void run_sphere_grid(Figure& figure, Options options)
 {
-    constexpr std::size_t kSide = 5;
-    figure.title = "grids of 125 spheres: centers 3r apart; 3r between the spheres";
+    constexpr std::size_t kSide = 6; // even: the rays begin at the center, which must not be in a sphere
+    figure.title = "grids of 216 spheres: centers 3r apart; 3r between the spheres";
     figure.counted = "spheres";
     options.trials = 1; // one set of rays
     const std::vector<Method> methods = {random_method(200), isolated_method(), probing_method()};
