@@ -61,7 +61,8 @@ std::string genus_text(const Certificate& certificate)
 {
     return certificate.genus_mismatches.empty()
                ? "as in the scan, on every surface"
-               : "not as in the scan on " + count_text(certificate.genus_mismatches.size()) + " surfaces";
+               : "not as in the scan on " + count_text(certificate.genus_mismatches.size()) +
+                     (certificate.genus_mismatches.size() == 1 ? " surface" : " surfaces");
 }
 
 std::string distance_text(const DirectedDistance& distance)

@@ -30,13 +30,13 @@ public:
 
     [[nodiscard]] double squared_base() const { return squared_base_; }
 
-    //! Halves the floor in the cube of p and in those around it, down to kSmallest of the floor radius. The
+    //! Halves the floor in the cube of p and in those around it, in at most kRounds rounds. The
     //! cubes keep the smallest floor asked for in one round: `round` counts from 1, and no cube is lowered
     //! below 2^-round. False where nothing changed.
     bool lower(const Point3& p, int round);
 
     //! Rounds of lowering that have an effect.
-    static constexpr int kRounds = 3;
+    static constexpr int kRounds = 2;
 
 private:
     static constexpr double kCubeInFloors = 4.0;
