@@ -20,11 +20,13 @@ Vec3 direction(std::size_t n, std::size_t count)
 }
 
 //! First hits, on the surface, of `count` rays from the middle of some of its points, spread as on an
-//! ellipsoid around them: the corners of flat specks lie on one circle, on which no facet would stand.
+//! ellipsoid around them: the corners of flat specks lie on one circle, on which no facet would stand. Where
+//! the middle itself lies next to the surface, hits beside it are passed over: they would be a cluster.
 std::vector<Point3> hits_of_rays(const SurfaceOracle& oracle, SurfaceId surface,
                                  std::span<const Point3> points, std::size_t count)
 {
     constexpr double kReachInExtents = 2.0;
+    constexpr double kLeastParameter = 1.0 / 16.0;
     Box3 box;
     for (const Point3& p : points)
         box.include(p);
@@ -39,8 +41,10 @@ std::vector<Point3> hits_of_rays(const SurfaceOracle& oracle, SurfaceId surface,
         const Vec3 ray{unit.x * extent.x, unit.y * extent.y, unit.z * extent.z};
         oracle.find_crossings({box.center(), box.center() + kReachInExtents * ray}, crossings);
         const auto hit = std::find_if(crossings.begin(), crossings.end(),
-                                      [&](const Crossing& crossing)
-                                      { return oracle.surface_at(crossing.point) == surface; });
+                                      [&](const Crossing& crossing) {
+                                          return crossing.t >= kLeastParameter &&
+                                                 oracle.surface_at(crossing.point) == surface;
+                                      });
         if (hit != crossings.end())
             hits.push_back(hit->point);
     }

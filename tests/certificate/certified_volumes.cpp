@@ -4,6 +4,7 @@
 #include <span>
 
 #include "certificate/certificate.h"
+#include "io/float_rounding.h"
 #include "mesh/topology.h"
 #include "mesher/seeded_mesher.h"
 #include "oracles/trilinear_oracle.h"
@@ -30,6 +31,8 @@ std::optional<std::string> what_is_wrong_with_the_mesh_of(const RandomVolume& ra
         return broken;
     if (const auto crossing = find_self_intersections(mesh); !crossing.empty())
         return std::to_string(crossing.size()) + " pairs of faces that cross";
+    if (!is_closed_manifold(weld(round_to_float(mesh).mesh)))
+        return "defects once rounded to 32-bit floats";
     return std::nullopt;
 }
 

@@ -10,7 +10,8 @@ namespace voroprobe
 
 //! Meshes a volume with the defaults of the program and holds the mesh against the inventory: one closed,
 //! manifold, oriented piece for every surface, no face crossing another (by a check that shares nothing with
-//! the mesher). What does not hold, in one line; nullopt where all does.
+//! the mesher), and still closed and manifold in an STL file. What does not hold, in one line; nullopt where
+//! all does.
 std::optional<std::string> what_is_wrong_with_the_mesh_of(const RandomVolume& random);
 
 } // namespace voroprobe
