@@ -51,6 +51,14 @@ Region region_outside(const SurfaceOracle& oracle, DelaunayCell delaunay_cell)
     return oracle.sides(oracle.surface_around(delaunay_cell->info().region)).outside;
 }
 
+void repair(RestrictedDelaunay& restricted, const MeshingOptions& options, MeshingStatistics& statistics)
+{
+    const RegionRepairReport report = repair_regions(restricted, options.floor_radius);
+    statistics.cells_reconciled += report.cells_reconciled;
+    statistics.crumbs_dissolved += report.crumbs_dissolved;
+    statistics.necks_bridged += report.necks_bridged;
+}
+
 //! Gives the Delaunay cells around the vertices to the outside: the surface no longer passes there.
 void carve(const RestrictedDelaunay& restricted, const std::vector<VertexHandle>& vertices)
 {
@@ -76,11 +84,10 @@ ExtractedSurface extract_surface(RestrictedDelaunay& restricted, const MeshingOp
                                  MeshingStatistics& statistics)
 {
     statistics.facets_at_floor = restricted.count_unresolved_facets();
-    const RegionRepairReport repair = repair_regions(restricted, options.floor_radius);
-    statistics.cells_reconciled = repair.cells_reconciled;
-    statistics.crumbs_dissolved = repair.crumbs_dissolved;
-    statistics.necks_bridged = repair.necks_bridged;
+    repair(restricted, options, statistics);
     statistics.cells_relabelled = relabel_pinched_cells(restricted, options);
+    if (statistics.cells_relabelled > 0)
+        repair(restricted, options, statistics); // a cell that mends an edge may have been a neck
     BoundaryComplex complex = collect_boundary(restricted);
     ContactReport contacts = take_apart(restricted, complex);
     while (!contacts.unseparated.empty()) // each time fewer inside cells are left
