@@ -251,12 +251,7 @@ std::optional<std::string> broken_promise(const Certificate& certificate)
                    "edges on one face only");
     complaints.add(topology.degenerate_faces, "face that names a vertex twice",
                    "faces that name a vertex twice");
-    complaints.add(topology.non_manifold_edges, "edge on more than two faces",
-                   "edges on more than two faces");
-    complaints.add(topology.non_manifold_vertices, "vertex whose faces are not one fan",
-                   "vertices whose faces are not one fan");
-    complaints.add(topology.misoriented_edges, "edge whose faces wind against each other",
-                   "edges whose faces wind against each other");
+    complaints.add_crowding(topology);
     complaints.add(certificate.surfaces_inside_out, "surface inside out", "surfaces inside out");
     complaints.add(certificate.self_intersections.value_or(0), "pair of faces that cross or overlap",
                    "pairs of faces that cross or overlap");

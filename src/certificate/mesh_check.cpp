@@ -61,12 +61,7 @@ std::optional<std::string> defects(const MeshCheck& check)
     const std::size_t crossing_pairs = check.self_intersections.size() - check.flat_faces;
     Complaints complaints;
     complaints.add(topology.boundary_edges, "edge on one face only", "edges on one face only");
-    complaints.add(topology.non_manifold_edges, "edge on more than two faces",
-                   "edges on more than two faces");
-    complaints.add(topology.non_manifold_vertices, "vertex whose faces are not one fan",
-                   "vertices whose faces are not one fan");
-    complaints.add(topology.misoriented_edges, "edge whose faces wind against each other",
-                   "edges whose faces wind against each other");
+    complaints.add_crowding(topology);
     complaints.add(check.flat_faces, "face without area", "faces without area");
     complaints.add(crossing_pairs, "pair of faces that cross or overlap",
                    "pairs of faces that cross or overlap");

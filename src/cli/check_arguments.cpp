@@ -30,16 +30,9 @@ CLI::Option* add_scan(OptionGroup& group, CheckArguments& arguments)
 
 void add_surface_options(OptionGroup& group, CheckArguments& arguments)
 {
-    group.text("--isovalue", "V|auto", "Value of the samples at the surface (default auto: Otsu's threshold)",
-               [&arguments](const std::string& given)
-               {
-                   if (given != "auto")
-                       arguments.isovalue =
-                           parse_number("--isovalue", given, {kAnyFinite.allows, "a finite number, or auto"});
-               });
-    group.choice("--inside", arguments.inside,
-                 Words<std::optional<InsideIs>>{
-                     {"auto", std::nullopt}, {"above", InsideIs::kAbove}, {"below", InsideIs::kBelow}},
+    group.isovalue(arguments.isovalue,
+                   "Value of the samples at the surface (default auto: Otsu's threshold)");
+    group.inside(arguments.inside,
                  "Side of the isovalue the object lies on (default auto: below for\nlevel sets in .vdb "
                  "files, above otherwise)");
     group.choice(

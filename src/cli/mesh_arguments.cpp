@@ -22,17 +22,9 @@ void add_surface_options(CLI::App& command, MeshArguments& arguments)
         "--domain", "box:x0,y0,z0,x1,y1,z1|ball:cx,cy,cz,r",
         "Where to look for the surface of a formula, mm; it is closed at\nthe border (required with it)",
         [&arguments](const std::string& given) { arguments.domain = given; });
-    group.text("--isovalue", "V|auto",
-               "Value of the samples at the surface (default auto: Otsu's\nthreshold; 0 for a formula)",
-               [&arguments](const std::string& given)
-               {
-                   if (given != "auto")
-                       arguments.isovalue =
-                           parse_number("--isovalue", given, {kAnyFinite.allows, "a finite number, or auto"});
-               });
-    group.choice("--inside", arguments.inside,
-                 Words<std::optional<InsideIs>>{
-                     {"auto", std::nullopt}, {"above", InsideIs::kAbove}, {"below", InsideIs::kBelow}},
+    group.isovalue(arguments.isovalue,
+                   "Value of the samples at the surface (default auto: Otsu's\nthreshold; 0 for a formula)");
+    group.inside(arguments.inside,
                  "Side of the isovalue the object lies on (default auto: below for\nlevel sets in .vdb "
                  "files and formulas, above otherwise)");
     group.choice(

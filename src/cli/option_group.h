@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/option_values.h"
+#include "volume/level.h"
 
 namespace voroprobe
 {
@@ -36,6 +37,26 @@ public:
     {
         text(flag, joined_words(words), help,
              [flag, &target, words](const std::string& given) { target = parse_word(flag, given, words); });
+    }
+
+    //! "auto" leaves the value unset.
+    void isovalue(std::optional<double>& value, const std::string& help)
+    {
+        text("--isovalue", "V|auto", help,
+             [&value](const std::string& given)
+             {
+                 if (given != "auto")
+                     value =
+                         parse_number("--isovalue", given, {kAnyFinite.allows, "a finite number, or auto"});
+             });
+    }
+
+    void inside(std::optional<InsideIs>& value, const std::string& help)
+    {
+        choice("--inside", value,
+               Words<std::optional<InsideIs>>{
+                   {"auto", std::nullopt}, {"above", InsideIs::kAbove}, {"below", InsideIs::kBelow}},
+               help);
     }
 
 private:
