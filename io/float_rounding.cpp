@@ -44,9 +44,21 @@ double to_float(double x)
     return static_cast<double>(nearest) + 0.0;
 }
 
-Point3 to_float(const Point3& p)
+//! Distance from |x| to the next larger of the numbers.
+double unit_of(const StoredNumbers& numbers, double x);
+
+double to_stored(const StoredNumbers& numbers, double x)
 {
-    return {to_float(p.x), to_float(p.y), to_float(p.z)};
+    const double nearest = to_float(x);
+    if (numbers.binary_digits >= std::numeric_limits<float>::digits && numbers.step == 0.0)
+        return nearest;
+    const double unit = unit_of(numbers, nearest); // a power of two: the division is exact
+    return to_float(std::nearbyint(nearest / unit) * unit);
+}
+
+Point3 to_stored(const StoredNumbers& numbers, const Point3& p)
+{
+    return {to_stored(numbers, p.x), to_stored(numbers, p.y), to_stored(numbers, p.z)};
 }
 
 bool before(const Point3& a, const Point3& b)
@@ -64,6 +76,12 @@ double unit_in_last_place(double x)
 {
     const float magnitude = std::abs(static_cast<float>(x));
     return static_cast<double>(std::nextafter(magnitude, std::numeric_limits<float>::infinity())) - magnitude;
+}
+
+double unit_of(const StoredNumbers& numbers, double x)
+{
+    const int digits_left_out = std::numeric_limits<float>::digits - numbers.binary_digits;
+    return std::max(std::ldexp(unit_in_last_place(x), digits_left_out), numbers.step);
 }
 
 Vec3 normal(const Point3& a, const Point3& b, const Point3& c)
@@ -198,7 +216,10 @@ struct Move
 class ConflictSearch
 {
 public:
-    ConflictSearch(const TriangleMesh& exact, TriangleMesh& rounded) : exact_(exact), rounded_(rounded) {}
+    ConflictSearch(const TriangleMesh& exact, TriangleMesh& rounded, const StoredNumbers& numbers)
+        : exact_(exact), rounded_(rounded), numbers_(numbers)
+    {
+    }
 
     void run()
     {
@@ -272,14 +293,15 @@ private:
     void consider_moves(std::uint32_t v, std::optional<Move>& best)
     {
         const Point3 here = rounded_.vertices[v];
-        const Point3 nearest = to_float(exact_.vertices[v]);
+        const Point3 nearest = to_stored(numbers_, exact_.vertices[v]);
         const auto [unit, towards_neighbours] = surroundings(v);
         const int conflicts_here = count_bad_faces(v) + (places_->taken(here, v, rounded_.vertices) ? 1 : 0);
         for (const Step& step : steps_)
         {
             if (best && best->conflicts_added <= -conflicts_here && step.units() > best->units)
                 break; // nothing is left to solve here, and steps only get longer
-            const Point3 place = to_float(nearest + Vec3{step.x * unit, step.y * unit, step.z * unit});
+            const Point3 place =
+                to_stored(numbers_, nearest + Vec3{step.x * unit, step.y * unit, step.z * unit});
             if (place == here || !is_finite(place) || places_->taken(place, v, rounded_.vertices))
                 continue;
             rounded_.vertices[v] = place; // on trial
@@ -312,7 +334,7 @@ private:
                 largest = std::max(largest, largest_coordinate(exact_.vertices[u]));
                 towards_neighbours += exact_.vertices[u] - exact_.vertices[v];
             }
-        return {unit_in_last_place(largest), towards_neighbours};
+        return {unit_of(numbers_, largest), towards_neighbours};
     }
 
     [[noreturn]] void fail() const
@@ -321,15 +343,17 @@ private:
         const auto faces = bad_faces();
         const Point3 p = exact_.vertices[pairs.empty() ? exact_.faces[faces[0]][0] : pairs[0][0]];
         std::ostringstream message;
-        message << "the mesh is too fine for 32-bit floats: rounding leaves " << pairs.size()
-                << " coinciding vertices and " << faces.size() << " folded faces, one near (" << p.x << ", "
-                << p.y << ", " << p.z << ") where floats are " << unit_in_last_place(largest_coordinate(p))
+        message << "the mesh is too fine for 32-bit floats as the format stores them: rounding leaves "
+                << pairs.size() << " coinciding vertices and " << faces.size() << " folded faces, one near ("
+                << p.x << ", " << p.y << ", " << p.z << ") where its numbers are "
+                << unit_of(numbers_, largest_coordinate(p))
                 << " apart; choose .vtp, which stores 64-bit floats, or a larger size";
         throw OutputError(message.str());
     }
 
     const TriangleMesh& exact_;
     TriangleMesh& rounded_;
+    StoredNumbers numbers_;
     std::optional<Stars> stars_; //!< made when the first conflict shows up
     Places* places_ = nullptr;   //!< of this round
     std::vector<Step> steps_;    //!< of this round
@@ -350,17 +374,17 @@ void check_range(const Point3& p)
 
 } // namespace
 
-FloatRounding round_to_float(const TriangleMesh& mesh)
+FloatRounding round_to_float(const TriangleMesh& mesh, const StoredNumbers& numbers)
 {
     FloatRounding rounding{.mesh = mesh};
     for (Point3& p : rounding.mesh.vertices)
     {
         check_range(p);
-        p = to_float(p);
+        p = to_stored(numbers, p);
     }
-    ConflictSearch(mesh, rounding.mesh).run();
+    ConflictSearch(mesh, rounding.mesh, numbers).run();
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
-        rounding.vertices_nudged += rounding.mesh.vertices[v] != to_float(mesh.vertices[v]) ? 1 : 0;
+        rounding.vertices_nudged += rounding.mesh.vertices[v] != to_stored(numbers, mesh.vertices[v]) ? 1 : 0;
     return rounding;
 }
 

@@ -7,6 +7,13 @@
 namespace voroprobe
 {
 
+//! Which numbers a format keeps apart: floats of so many binary digits that are multiples of a step.
+struct StoredNumbers
+{
+    int binary_digits = 24; //!< at most those of a float
+    double step = 0.0;      //!< a power of two; 0: none
+};
+
 //! A mesh whose coordinates are 32-bit floats, and what that took.
 struct FloatRounding
 {
@@ -20,6 +27,7 @@ struct FloatRounding
 //! own neighbours: two sheets that nearly touch part rather than cross. Faces that have no area before
 //! rounding are not judged. Deterministic. Cost: O(n log n), and O(conflicts) beyond. \throw OutputError when
 //! a coordinate exceeds the range of floats, or when the mesh is too fine for them so far from the origin.
-FloatRounding round_to_float(const TriangleMesh& mesh);
+//! `numbers`: of a format that keeps fewer apart than floats are, "nearest float" means the nearest of those.
+FloatRounding round_to_float(const TriangleMesh& mesh, const StoredNumbers& numbers = {});
 
 } // namespace voroprobe

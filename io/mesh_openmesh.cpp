@@ -251,6 +251,7 @@ void write_with_openmesh(const TriangleMesh& mesh, std::ostream& out, MeshFormat
     case MeshFormat::kOff: // many readers of OFF, OpenMesh's among them, know no comments
         return run_openmesh(mesh, out, ".off", om::IO::Options::Default);
     case MeshFormat::kVtp:
+    case MeshFormat::k3mf:
         break;
     }
     throw OutputError("OpenMesh does not write this format");

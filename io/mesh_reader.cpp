@@ -4,6 +4,7 @@
 #include <cctype>
 #include <string>
 
+#include "io/mesh_3mf.h"
 #include "io/mesh_file.h"
 #include "io/mesh_ply_reader.h"
 #include "io/mesh_text_reader.h"
@@ -50,7 +51,7 @@ TriangleMesh read_as_stored(const fs::path& path)
         return read_obj(path);
     if (extension == ".off")
         return read_off(path);
-    fail_reading(path, "unknown extension '" + extension + "'; known: .stl, .ply, .obj, .off, .vtp");
+    fail_reading(path, "unknown extension '" + extension + "'; known: .stl, .ply, .obj, .off, .vtp, .3mf");
 }
 
 void check_mesh(const TriangleMesh& mesh, const fs::path& path)
@@ -67,12 +68,25 @@ void check_mesh(const TriangleMesh& mesh, const fs::path& path)
 
 } // namespace
 
-TriangleMesh read_mesh(const fs::path& path)
+std::vector<MeshPart> read_parts(const fs::path& path)
 {
     check_file(path);
-    const TriangleMesh mesh = read_as_stored(path);
-    check_mesh(mesh, path);
-    return weld(mesh);
+    std::vector<MeshPart> parts;
+    if (lower_case_extension(path) == ".3mf")
+        parts = read_3mf(path);
+    else
+        parts.push_back({.name = "", .mesh = read_as_stored(path)});
+    for (MeshPart& part : parts)
+    {
+        check_mesh(part.mesh, path);
+        part.mesh = weld(part.mesh);
+    }
+    return parts;
+}
+
+TriangleMesh read_mesh(const fs::path& path)
+{
+    return merged(read_parts(path));
 }
 
 } // namespace voroprobe

@@ -11,6 +11,7 @@
 
 #include "io/atomic_file.h"
 #include "io/float_rounding.h"
+#include "io/mesh_3mf.h"
 #include "io/mesh_openmesh.h"
 #include "io/mesh_vtk.h"
 #include "support/error.h"
@@ -30,12 +31,13 @@ struct NamedFormat
     MeshFormat format;
 };
 
-constexpr std::array<NamedFormat, 6> kFormats{{{"stl", ".stl", MeshFormat::kStlBinary},
+constexpr std::array<NamedFormat, 7> kFormats{{{"stl", ".stl", MeshFormat::kStlBinary},
                                                {"stl-ascii", "", MeshFormat::kStlAscii},
                                                {"ply", ".ply", MeshFormat::kPly},
                                                {"obj", ".obj", MeshFormat::kObj},
                                                {"off", ".off", MeshFormat::kOff},
-                                               {"vtp", ".vtp", MeshFormat::kVtp}}};
+                                               {"vtp", ".vtp", MeshFormat::kVtp},
+                                               {"3mf", ".3mf", MeshFormat::k3mf}}};
 
 std::string lower_case(std::string text)
 {
@@ -94,6 +96,26 @@ WriteReport write_to_stream(const TriangleMesh& mesh, std::ostream& out, MeshFor
     return {.vertices_nudged = rounding.vertices_nudged};
 }
 
+//! Calls `write(STREAM)` for a temporary file, then lets the file take its place.
+template <typename Writer>
+void write_atomically(const fs::path& path, const std::function<void()>& last_look, Writer write)
+{
+    AtomicFile file(path);
+    errno = 0;
+    try
+    {
+        std::ofstream out(file.temporary(), std::ios::binary);
+        out.exceptions(std::ios::badbit | std::ios::failbit); // the first write that fails ends it
+        write(out);
+        out.close();
+        file.commit(last_look);
+    }
+    catch (const std::ios_base::failure&)
+    {
+        fail(path, errno != 0 ? std::strerror(errno) : "the file could not be written in full");
+    }
+}
+
 } // namespace
 
 MeshFormat mesh_format(const fs::path& path, const std::optional<std::string>& name)
@@ -120,22 +142,29 @@ void check_writable(const fs::path& path)
 WriteReport write_mesh(const TriangleMesh& mesh, const fs::path& path, MeshFormat format,
                        const std::vector<std::string>& comments, const std::function<void()>& last_look)
 {
+    if (format == MeshFormat::k3mf)
+        return write_parts(std::vector<MeshPart>{{.name = "", .mesh = mesh}}, path, comments, last_look);
     check_mesh(mesh, path);
-    AtomicFile file(path);
-    errno = 0;
-    try
+    WriteReport report;
+    write_atomically(path, last_look,
+                     [&](std::ostream& out) { report = write_to_stream(mesh, out, format, comments); });
+    return report;
+}
+
+WriteReport write_parts(std::span<const MeshPart> parts, const fs::path& path,
+                        const std::vector<std::string>& comments, const std::function<void()>& last_look)
+{
+    WriteReport report;
+    std::vector<MeshPart> stored;
+    for (const MeshPart& part : parts)
     {
-        std::ofstream out(file.temporary(), std::ios::binary);
-        out.exceptions(std::ios::badbit | std::ios::failbit); // the first write that fails ends it
-        const WriteReport report = write_to_stream(mesh, out, format, comments);
-        out.close();
-        file.commit(last_look);
-        return report;
+        check_mesh(part.mesh, path);
+        FloatRounding rounding = round_to_float(part.mesh, kNumbersOf3mf);
+        report.vertices_nudged += rounding.vertices_nudged;
+        stored.push_back({.name = part.name, .color = part.color, .mesh = std::move(rounding.mesh)});
     }
-    catch (const std::ios_base::failure&)
-    {
-        fail(path, errno != 0 ? std::strerror(errno) : "the file could not be written in full");
-    }
+    write_atomically(path, last_look, [&](std::ostream& out) { write_3mf(stored, out, comments); });
+    return report;
 }
 
 } // namespace voroprobe

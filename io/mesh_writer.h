@@ -3,16 +3,18 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "mesh/mesh_part.h"
 #include "mesh/triangle_mesh.h"
 
 namespace voroprobe
 {
 
-//! All but VTP store coordinates as 32-bit floats, the text formats with all digits of those: that is what
-//! OpenMesh writes. VTP stores 64 bits.
+//! All but VTP and 3MF store coordinates as 32-bit floats, the text formats with all digits of those: that is
+//! what OpenMesh writes. VTP stores 64 bits, 3MF six digits behind the point of 22 bits.
 enum class MeshFormat
 {
     kStlBinary, //!< comments in the 80-byte header
@@ -20,11 +22,12 @@ enum class MeshFormat
     kPly,       //!< binary, little-endian; comment lines
     kObj,       //!< comment lines
     kOff,       //!< text; no comments, which many readers do not expect
-    kVtp        //!< VTK XML poly data, compressed; comments as a string array of the field data
+    kVtp,       //!< VTK XML poly data, compressed; comments as a string array of the field data
+    k3mf        //!< print jobs: objects with names and colours, always mm; comments as description
 };
 
-//! Format by name ("stl", "stl-ascii", "ply", "obj", "off", "vtp") or, where that is unset, by the extension
-//! of `path`. \throw UsageError that lists the known ones.
+//! Format by name ("stl", "stl-ascii", "ply", "obj", "off", "vtp", "3mf") or, where that is unset, by the
+//! extension of `path`. \throw UsageError that lists the known ones.
 MeshFormat mesh_format(const std::filesystem::path& path,
                        const std::optional<std::string>& name = std::nullopt);
 
@@ -47,5 +50,12 @@ struct WriteReport
 WriteReport write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path, MeshFormat format,
                        const std::vector<std::string>& comments = {},
                        const std::function<void()>& last_look = {});
+
+//! The same for several objects beside one another, with names and colours, as 3MF: each is rounded for
+//! itself, so that vertices which parts share stay where they are in both, but for those that are nudged.
+//! \pre there is one at least.
+WriteReport write_parts(std::span<const MeshPart> parts, const std::filesystem::path& path,
+                        const std::vector<std::string>& comments = {},
+                        const std::function<void()>& last_look = {});
 
 } // namespace voroprobe

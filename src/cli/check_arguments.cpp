@@ -71,7 +71,7 @@ void refuse_without(const CLI::Option& against, const std::vector<CLI::Option*>&
 
 void add_check_arguments(CLI::App& command, CheckArguments& arguments)
 {
-    command.add_option("MESH", arguments.mesh, "Mesh to check: .stl .ply .obj .off .vtp")
+    command.add_option("MESH", arguments.mesh, "Mesh to check: .stl .ply .obj .off .vtp .3mf")
         ->required()
         ->type_name("");
     OptionGroup mesh(command, "Mesh");

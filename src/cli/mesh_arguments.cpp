@@ -76,9 +76,9 @@ void add_selection(CLI::App& command, MeshArguments& arguments)
 void add_output_options(CLI::App& command, MeshArguments& arguments)
 {
     OptionGroup group(command, "Output");
-    group.text("-o,--output", "FILE", "Mesh to write: .stl .ply .obj .off .vtp (required)",
+    group.text("-o,--output", "FILE", "Mesh to write: .stl .ply .obj .off .vtp .3mf (required)",
                [&arguments](const std::string& given) { arguments.output = given; });
-    group.text("--format", "NAME", "stl, stl-ascii, ply, obj, off or vtp (default: by the extension)",
+    group.text("--format", "NAME", "stl, stl-ascii, ply, obj, off, vtp or 3mf (default: by the extension)",
                [&arguments](const std::string& given) { arguments.format = given; });
     group.choice("--frame-of-reference", arguments.frame,
                  Words<OutputFrame>{
@@ -118,7 +118,7 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments)
     command
         .add_option("INPUT", arguments.input,
                     "Volume: a file, or a folder with a DICOM series or TIFF slices; or a closed mesh\n"
-                    "(.stl .ply .obj .off .vtp) or points with normals (.xyz) to mesh anew")
+                    "(.stl .ply .obj .off .vtp .3mf) or points with normals (.xyz) to mesh anew")
         ->type_name("");
     add_surface_options(command, arguments);
     add_criteria(command, arguments);

@@ -64,6 +64,9 @@ MeshFormat check_outputs(const MeshArguments& arguments)
     const MeshFormat format = mesh_format(arguments.output, arguments.format);
     if (!arguments.formula)
         check_distinct(arguments.output, "OUTPUT", arguments.input, "INPUT");
+    if (format == MeshFormat::k3mf && arguments.frame == OutputFrame::kIndex)
+        throw UsageError(
+            "--frame-of-reference is 'index'; allowed: lps, ras, as 3MF files are in millimetres");
     check_writable(arguments.output);
     if (arguments.summary)
     {

@@ -37,7 +37,8 @@ std::string lower_case_extension(const std::filesystem::path& path)
 
 bool is_mesh_path(const std::filesystem::path& path)
 {
-    static constexpr std::array<std::string_view, 5> kExtensions{".stl", ".ply", ".obj", ".off", ".vtp"};
+    static constexpr std::array<std::string_view, 6> kExtensions{".stl", ".ply", ".obj",
+                                                                 ".off", ".vtp", ".3mf"};
     return std::find(kExtensions.begin(), kExtensions.end(), lower_case_extension(path)) != kExtensions.end();
 }
 

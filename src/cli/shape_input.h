@@ -16,8 +16,8 @@ double grain_size(const Box3& box);
 //! "box:x0,y0,z0,x1,y1,z1" or "ball:cx,cy,cz,r". \throw UsageError as parse_number.
 ImplicitDomain parse_domain(const std::string& text);
 
-//! Whether the request is for a formula, a triangle mesh (.stl .ply .obj .off .vtp) or a point cloud (.xyz),
-//! and not for a volume.
+//! Whether the request is for a formula, a triangle mesh (.stl .ply .obj .off .vtp .3mf) or a point cloud
+//! (.xyz), and not for a volume.
 bool is_shape(const SurfaceRequest& request);
 
 //! \throw UsageError where the request says something that goes with volumes only, or lacks what it needs.

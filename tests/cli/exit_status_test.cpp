@@ -139,7 +139,7 @@ TEST_F(ExitStatusTest, out_of_memory_is_6)
 TEST_F(ExitStatusTest, a_disk_that_fills_up_is_1_and_leaves_nothing_behind)
 {
     const program::Limits limits{.file_size = 1000}; // the mesh has more
-    for (const std::string name : {"old.stl", "old.ply", "old.obj", "old.off", "old.vtp"})
+    for (const std::string name : {"old.stl", "old.ply", "old.obj", "old.off", "old.vtp", "old.3mf"})
     {
         program::write_text(folder_ / name, "precious");
         expect_refusal(run(mesh_ball(name), limits), 1, name);

@@ -78,7 +78,7 @@ TEST_F(OutputTest, the_mesh_lies_where_the_header_says)
 
 TEST_F(OutputTest, every_format_is_written_closed)
 {
-    for (const char* name : {"out.stl", "out.ply", "out.obj", "out.off", "out.vtp"})
+    for (const char* name : {"out.stl", "out.ply", "out.obj", "out.off", "out.vtp", "out.3mf"})
     {
         const TriangleMesh mesh = meshed("ball.mha", name);
         EXPECT_TRUE(is_closed_manifold(mesh)) << name;

@@ -26,7 +26,8 @@ using sample::icosphere;
 using sample::tetrahedron;
 
 constexpr MeshFormat kAllFormats[] = {MeshFormat::kStlBinary, MeshFormat::kStlAscii, MeshFormat::kPly,
-                                      MeshFormat::kObj,       MeshFormat::kOff,      MeshFormat::kVtp};
+                                      MeshFormat::kObj,       MeshFormat::kOff,      MeshFormat::kVtp,
+                                      MeshFormat::k3mf};
 
 std::size_t count_files(const fs::path& folder)
 {
