@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "Model/COM/NMR_DLLInterfaces.h"
+#include <Model/COM/NMR_DLLInterfaces.h>
 
 //! lib3mf's C interface with owners and exceptions.
 namespace voroprobe
