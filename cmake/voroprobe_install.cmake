@@ -10,7 +10,7 @@ set(header_folder ${CMAKE_INSTALL_INCLUDEDIR}/voroprobe)
 install(TARGETS voroprobe RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS
         voroprobe_support voroprobe_geometry voroprobe_volume voroprobe_mesh voroprobe_oracles voroprobe_mesher
-        voroprobe_certificate voroprobe_io
+        voroprobe_certificate voroprobe_io voroprobe_labels
     EXPORT voroprobe
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 
@@ -28,7 +28,9 @@ set(public_headers
     src/mesher/meshing_options.h src/mesher/seeded_mesher.h
     src/certificate/certificate.h src/certificate/criteria_exceptions.h src/certificate/mesh_check.h src/certificate/mesh_pieces.h
     src/certificate/nearest_crossing.h src/certificate/self_intersections.h src/certificate/surface_distance.h
-    io/volume_reader.h io/mesh_writer.h io/mesh_reader.h)
+    src/labels/group_meshing.h src/labels/index_box.h src/labels/label_meshing.h src/labels/label_survey.h src/labels/part_groups.h
+    src/labels/smoothing.h
+    io/label_table.h io/volume_reader.h io/mesh_writer.h io/mesh_reader.h)
 foreach(header ${public_headers})
     cmake_path(GET header PARENT_PATH folder)
     cmake_path(GET folder FILENAME folder)

@@ -66,7 +66,8 @@ IsovalueChoice choose_isovalue(const std::optional<double>& asked, InsideIs insi
     if (looks_like_label_map(volume, statistics))
         throw UsageError(
             "this looks like a label map (" + std::to_string(statistics.distinct_values) +
-            " whole numbers, neighbours mostly equal): give --isovalue, 0.5 for everything that is not 0");
+            " whole numbers, neighbours mostly equal): give --labels all for a mesh of each label, or "
+            "--isovalue, 0.5 for everything that is not 0");
     const auto automatic = automatic_isovalue(statistics);
     if (!automatic)
         throw EmptySurfaceError("no surface: all samples equal " + number_text(statistics.min));

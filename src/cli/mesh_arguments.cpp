@@ -76,7 +76,9 @@ void add_selection(CLI::App& command, MeshArguments& arguments)
 void add_output_options(CLI::App& command, MeshArguments& arguments)
 {
     OptionGroup group(command, "Output");
-    group.text("-o,--output", "FILE", "Mesh to write: .stl .ply .obj .off .vtp .3mf (required)",
+    group.text("-o,--output", "FILE",
+               "Mesh to write: .stl .ply .obj .off .vtp .3mf (required); for several\nlabels a pattern with "
+               "{name} or {label}",
                [&arguments](const std::string& given) { arguments.output = given; });
     group.text("--format", "NAME", "stl, stl-ascii, ply, obj, off, vtp or 3mf (default: by the extension)",
                [&arguments](const std::string& given) { arguments.format = given; });
@@ -102,8 +104,8 @@ void add_run_options(CLI::App& command, MeshArguments& arguments)
                "(default 0)",
                [&arguments](const std::string& given) { arguments.seed = parse_count("--seed", given, 0); });
     group.text("--threads", "N",
-               "Accepted for scripts; this version refines on one thread, and\nevery number gives the same "
-               "bytes (default 1)",
+               "Labels are meshed side by side on so many (default all there\nare); refinement runs on one "
+               "thread; any number gives the same\nbytes",
                [&arguments](const std::string& given)
                { arguments.threads = parse_count("--threads", given, 1); });
     command
@@ -121,6 +123,7 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments)
                     "(.stl .ply .obj .off .vtp .3mf) or points with normals (.xyz) to mesh anew")
         ->type_name("");
     add_surface_options(command, arguments);
+    add_label_options(command, arguments.label_map);
     add_criteria(command, arguments);
     add_selection(command, arguments);
     add_seeding_options(command, arguments.finding);

@@ -8,6 +8,7 @@
 
 #include "certificate/surface_selection.h"
 #include "cli/console_progress.h"
+#include "cli/label_arguments.h"
 #include "cli/mesh_defaults.h"
 #include "cli/output_frame.h"
 #include "cli/seeding_arguments.h"
@@ -48,14 +49,18 @@ struct MeshArguments
     std::optional<std::size_t> max_vertices = std::nullopt;
     SeedingArguments finding;
 
+    LabelArguments label_map;
+
     SurfaceSelection selection;
 
     OutputFrame frame = OutputFrame::kLps;
     std::optional<std::string> format = std::nullopt; //!< unset: by the extension of `output`
     std::optional<std::filesystem::path> summary = std::nullopt;
 
-    std::size_t seed = 0;    //!< nothing in the pipeline is random: every seed gives the same bytes
-    std::size_t threads = 1; //!< refinement runs on one: every number gives the same bytes
+    std::size_t seed = 0; //!< nothing in the pipeline is random: every seed gives the same bytes
+    //! Labels are meshed side by side, refinement itself runs on one thread: every number gives the same
+    //! bytes. Unset: all there are for labels, 1 otherwise.
+    std::optional<std::size_t> threads = std::nullopt;
     ProgressMode progress = ProgressMode::kAuto;
     bool quiet = false; //!< nothing on stdout, no automatic bar
 };

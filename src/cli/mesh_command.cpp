@@ -4,6 +4,8 @@
 #include <iostream>
 
 #include "cli/interrupt.h"
+#include "cli/label_map_input.h"
+#include "cli/labels_command.h"
 #include "cli/mesh_certificate.h"
 #include "cli/mesh_report.h"
 #include "cli/mesh_run.h"
@@ -204,6 +206,9 @@ std::vector<std::string> result_warnings(const MeshRun& run)
 void run_mesh_command(const MeshArguments& arguments)
 {
     const Stopwatch clock;
+    check_label_arguments(arguments);
+    if (arguments.label_map.wanted())
+        return run_labels_command(arguments);
     check_input(arguments);
     const MeshFormat format = check_outputs(arguments);
     auto progress =

@@ -97,7 +97,7 @@ Json parameters_json(const MeshRun& run)
             {"max_vertices", options.max_vertices ? Json(*options.max_vertices) : Json(nullptr)},
             {"frame_of_reference", frame_name(run.arguments.frame)},
             {"seed", run.arguments.seed},
-            {"threads", run.arguments.threads}};
+            {"threads", run.arguments.threads.value_or(1)}};
 }
 
 Json mesh_json(const MeshRun& run)

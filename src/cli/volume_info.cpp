@@ -113,8 +113,9 @@ std::string volume_info_text(const VolumeInfo& info)
                        info_line("not finite", count_text(statistics.nan_count) + " NaN, " +
                                                    count_text(statistics.infinite_count) + " infinite");
     if (info.label_map)
-        text +=
-            info_line("note", "looks like a label map: give --isovalue, 0.5 for everything that is not 0");
+        text += info_line("note", "looks like a label map: mesh it with --labels all, or give --isovalue, "
+                                  "0.5 for everything that is "
+                                  "not 0");
     if (info.signed_distance)
         text += info_line("note", "looks like a signed distance: give --isovalue 0 --inside below");
     text += suggestion_lines(info.suggestions);

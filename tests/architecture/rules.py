@@ -14,14 +14,15 @@ MAY_INCLUDE = {
     "src/mesher": ["oracles/surface_oracle.h", "src/mesh"],
     "src/certificate": ["oracles/surface_oracle.h", "src/mesh", "src/volume"],
     "io": ["src/volume", "src/mesh"],
+    "src/labels": ["src/volume", "oracles", "src/mesher", "src/certificate"],
     "src/postprocess": ["oracles/surface_oracle.h", "src/mesh"],
     "src/compare": ["src/mesh", "src/volume", "src/postprocess"],
-    "src/cli": ["src/volume", "oracles", "src/mesher", "io", "src/certificate", "src/postprocess", "src/compare"],
+    "src/cli": ["src/volume", "oracles", "src/mesher", "io", "src/certificate", "src/labels", "src/postprocess", "src/compare"],
 }
 
 # Third party: how its headers begin, and the folders whose files may name it.
 THIRD_PARTIES = {
-    "ITK": (("itk", "gdcm"), ["io"]),
+    "ITK": (("itk", "gdcm"), ["io", "src/labels"]),
     "OpenVDB": (("openvdb/",), ["io", "oracles"]),
     "OpenMesh": (("OpenMesh/",), ["io", "src/postprocess"]),
     "lib3mf": (("lib3mf/", "Model/COM/NMR_"), ["io"]),
@@ -29,7 +30,7 @@ THIRD_PARTIES = {
     "libtiff": (("tiffio.h",), ["io"]),
     "zlib": (("zlib.h",), ["io"]),
     "CGAL": (("CGAL/", "boost/"), ["oracles", "src/mesher", "src/certificate", "src/compare"]),
-    "TBB": (("tbb/", "oneapi/tbb"), ["src/volume", "src/mesher", "src/certificate"]),
+    "TBB": (("tbb/", "oneapi/tbb"), ["src/volume", "src/mesher", "src/certificate", "src/labels"]),
     "muParser": (("muParser",), ["oracles"]),
     "CLI11": (("CLI/",), ["src/cli"]),
     "nlohmann-json": (("nlohmann/",), ["src/cli", "src/compare"]),

@@ -99,7 +99,7 @@ TEST_F(UsageTest, a_label_map_needs_an_isovalue)
     };
     write_phantom(labels, folder_ / "labels.mha");
     expect_wrong_usage({"mesh", folder_ / "labels.mha", "-o", folder_ / "out.stl"},
-                       {"label map", "--isovalue", "0.5"});
+                       {"label map", "--labels all", "--isovalue", "0.5"});
     const Outcome given =
         run({"mesh", folder_ / "labels.mha", "-o", folder_ / "out.stl", "--isovalue", "0.5"});
     EXPECT_EQ(given.status, 0);

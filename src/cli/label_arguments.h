@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "labels/smoothing.h"
+
+namespace CLI // NOLINT(readability-identifier-naming): the name of the library
+{
+class App;
+}
+
+namespace voroprobe
+{
+
+//! What the user says of a label map to `voroprobe mesh --labels`.
+struct LabelArguments
+{
+    std::optional<std::string> labels = std::nullopt;       //!< as LabelRanges takes it; unset: no label map
+    std::optional<std::string> exclude = std::nullopt;      //!< likewise
+    std::optional<LabelSmoothing> smoothing = std::nullopt; //!< sigma 0 where none was given
+    std::optional<std::filesystem::path> names = std::nullopt;
+
+    [[nodiscard]] bool wanted() const { return labels.has_value(); }
+};
+
+//! Declares the options; `arguments` must outlive the parsing and holds the values after it.
+void add_label_options(CLI::App& command, LabelArguments& arguments);
+
+} // namespace voroprobe

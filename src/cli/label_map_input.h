@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "cli/labels_run.h"
+#include "cli/mesh_arguments.h"
+
+namespace voroprobe
+{
+
+//! \throw UsageError where an option does not go with --labels.
+void check_label_arguments(const MeshArguments& arguments);
+
+//! Reads and surveys the label map. \throw as read_volume and LabelSurvey; EmptySurfaceError where it has no
+//! label.
+LabelMap read_label_map(const MeshArguments& arguments);
+
+//! The labels asked for, with their names, in ascending order. \throw UsageError where one is not there, with
+//! those that are; InputError as read_label_table.
+std::vector<LabelOutcome> chosen_labels(const MeshArguments& arguments, const LabelMap& map);
+
+} // namespace voroprobe

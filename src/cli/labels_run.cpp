@@ -1,0 +1,46 @@
+#include "cli/labels_run.h"
+
+#include <algorithm>
+
+#include "cli/number_text.h"
+#include "support/error.h"
+
+namespace voroprobe
+{
+namespace
+{
+
+std::string fault_text(const LabelOutcome& label)
+{
+    std::string text = "label " + std::to_string(label.value) + " (" + label.name + "): ";
+    if (!label.mesh.faults.empty())
+        return text + count_text(label.mesh.faults.size()) + " of " + count_text(label.parts_expected) +
+               " parts not whole, the first " + label.mesh.faults.front().reason;
+    return text + label.mesh.broken_promises.front();
+}
+
+} // namespace
+
+bool LabelsRun::complete() const
+{
+    return std::all_of(labels.begin(), labels.end(),
+                       [](const LabelOutcome& label) { return label.done && label.mesh.complete(); });
+}
+
+void check_promises(const LabelsRun& run)
+{
+    constexpr std::size_t kMostNamed = 5;
+    std::string text;
+    std::size_t count = 0;
+    for (const LabelOutcome& label : run.labels)
+        if (!label.mesh.complete() && count++ < kMostNamed)
+            text += "; " + fault_text(label);
+    if (count > kMostNamed)
+        text += "; and " + count_text(count - kMostNamed) + " more";
+    if (count > 0)
+        throw Error(ExitStatus::kIncomplete, "the meshes were written, but " + count_text(count) + " of " +
+                                                 count_text(run.labels.size()) +
+                                                 " labels are not as promised" + text);
+}
+
+} // namespace voroprobe

@@ -1,0 +1,142 @@
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "io/mesh_reader.h"
+#include "mesh/measures.h"
+#include "mesh/topology.h"
+#include "program_fixture.h"
+
+namespace voroprobe
+{
+namespace
+{
+
+using program::Outcome;
+using program::run;
+
+//! Label 1: a ball; label 2: one next to it, and a speck of one voxel; label 7: a bar from border to border.
+double label_at(const Point3& p)
+{
+    if (distance(p, {8, 12, 12}) <= 5.0)
+        return 1;
+    if (distance(p, {18, 12, 12}) <= 5.0 || p == Point3{2, 2, 2})
+        return 2;
+    return std::abs(p.y - 21.0) <= 1.0 && std::abs(p.z - 21.0) <= 1.0 ? 7 : 0;
+}
+
+class LabelsTest : public ProgramTest
+{
+protected:
+    LabelsTest()
+    {
+        Phantom labels = ball_phantom();
+        labels.field = label_at;
+        write_phantom(labels, folder_ / "labels.mha");
+    }
+
+    Outcome mesh(std::vector<std::string> more, const std::string& output = "out/{name}.stl")
+    {
+        std::vector<std::string> arguments{"mesh", folder_ / "labels.mha", "-o", folder_ / output};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return run(arguments);
+    }
+
+    void expect_refused(const std::vector<std::string>& more, const std::vector<std::string>& words,
+                        const std::string& output = "out/{name}.stl")
+    {
+        const Outcome outcome = mesh(more, output);
+        EXPECT_EQ(outcome.status, 2) << outcome.err;
+        EXPECT_TRUE(is_one_error_line(outcome.err)) << outcome.err;
+        for (const std::string& word : words)
+            EXPECT_NE(outcome.err.find(word), std::string::npos) << word << " is not in: " << outcome.err;
+        EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+    }
+};
+
+TEST_F(LabelsTest, each_label_becomes_a_closed_mesh_of_its_own_with_its_volume)
+{
+    for (const std::string smoothing : {"none", "gaussian:1", "antialias"})
+    {
+        const Outcome outcome =
+            mesh({"--labels", "all", "--smooth", smoothing, "--summary", folder_ / "s.json"});
+        ASSERT_EQ(outcome.status, 0) << outcome.err;
+        const auto summary = nlohmann::json::parse(program::read_text(folder_ / "s.json"));
+        EXPECT_EQ(summary.at("status"), "done");
+        ASSERT_EQ(summary.at("labels").size(), 3U);
+        EXPECT_EQ(summary.at("labels")[1].at("parts_expected"), 2);
+        for (const auto& label : summary.at("labels"))
+        {
+            EXPECT_EQ(label.at("parts_meshed"), label.at("parts_expected"));
+            EXPECT_LT(std::abs(label.at("volume_change_percent").get<double>()), 2.0);
+            const TriangleMesh read = weld(read_mesh(label.at("path").get<std::string>()));
+            EXPECT_TRUE(is_closed_manifold(read));
+            EXPECT_EQ(count_components(read), label.at("parts_expected"));
+            EXPECT_NEAR(enclosed_volume(read), label.at("voxel_volume_mm3"),
+                        0.02 * label.at("voxels").get<double>());
+        }
+    }
+}
+
+TEST_F(LabelsTest, a_mesh_lies_where_its_label_is)
+{
+    ASSERT_EQ(mesh({"--labels", "1"}, "one.stl").status, 0);
+    const Box3 box = bounding_box(read_mesh(folder_ / "one.stl"));
+    EXPECT_LT(norm(box.center() - Point3{8, 12, 12}), 0.3);
+}
+
+TEST_F(LabelsTest, labels_are_chosen_and_left_out_by_number)
+{
+    ASSERT_EQ(mesh({"--labels", "1-2,7", "--exclude", "2"}, "{label}.stl").status, 0);
+    EXPECT_EQ(folder_.names(), (std::vector<std::string>{"1.stl", "7.stl", "ball.mha", "labels.mha"}));
+}
+
+TEST_F(LabelsTest, names_come_from_a_table)
+{
+    program::write_text(folder_ / "names.txt", "1 left/ball\n7 bar\n");
+    ASSERT_EQ(mesh({"--labels", "all", "--names", folder_ / "names.txt"}, "{name}.stl").status, 0);
+    for (const std::string name : {"left_ball.stl", "label_2.stl", "bar.stl"})
+        EXPECT_TRUE(std::filesystem::exists(folder_ / name)) << name;
+}
+
+TEST_F(LabelsTest, what_cannot_be_meant_is_refused_before_anything_is_written)
+{
+    expect_refused({"--labels", "3"}, {"label 3", "1, 2, 7"});
+    expect_refused({"--labels", "all", "--exclude", "1-9"}, {"--exclude", "none"});
+    expect_refused({"--labels", "one"}, {"--labels", "'one'", "1,5,7-9"});
+    expect_refused({"--labels", "all", "--isovalue", "0.5"}, {"--isovalue", "--labels"});
+    expect_refused({"--labels", "all", "--smooth", "gaussian:0"}, {"gaussian", "'0'"});
+    expect_refused({"--labels", "all", "--smooth", "soft"}, {"--smooth", "'soft'", "antialias"});
+    expect_refused({"--smooth", "none", "--isovalue", "1"}, {"--smooth", "--labels"});
+    expect_refused({"--labels", "all"}, {"3 labels", "{name}"}, "out/mesh.stl");
+    program::write_text(folder_ / "names.txt", "1 twin\n2 twin\n");
+    expect_refused({"--labels", "all", "--names", folder_ / "names.txt"}, {"overwrite", "{label}"});
+}
+
+TEST_F(LabelsTest, a_scan_is_not_taken_for_a_label_map)
+{
+    const Outcome outcome =
+        run({"mesh", folder_ / "ball.mha", "--labels", "all", "-o", folder_ / "{label}.stl"});
+    EXPECT_EQ(outcome.status, 3) << outcome.err;
+    EXPECT_NE(outcome.err.find("whole numbers"), std::string::npos) << outcome.err;
+}
+
+TEST_F(LabelsTest, any_number_of_threads_gives_the_same_bytes)
+{
+    ASSERT_EQ(mesh({"--labels", "all", "--threads", "1"}, "a{label}.stl").status, 0);
+    ASSERT_EQ(mesh({"--labels", "all", "--threads", "3"}, "b{label}.stl").status, 0);
+    for (const std::string label : {"1", "2", "7"})
+        EXPECT_EQ(program::read_text(folder_ / ("a" + label + ".stl")),
+                  program::read_text(folder_ / ("b" + label + ".stl")));
+}
+
+TEST_F(LabelsTest, a_map_without_labels_is_an_empty_surface)
+{
+    Phantom empty = ball_phantom();
+    empty.field = [](const Point3&) { return 0.0; };
+    write_phantom(empty, folder_ / "labels.mha");
+    EXPECT_EQ(mesh({"--labels", "all"}).status, 4);
+}
+
+} // namespace
+} // namespace voroprobe
