@@ -168,9 +168,9 @@ void take_averages(std::vector<double> distances, DirectedDistance& result)
     const auto count = static_cast<double>(distances.size());
     result.mean = sum / count;
     result.root_mean_square = std::sqrt(sum_of_squares / count);
-    const auto rank = static_cast<std::ptrdiff_t>(0.95 * (count - 1.0));
-    std::nth_element(distances.begin(), distances.begin() + rank, distances.end());
-    result.percentile_95 = distances[static_cast<std::size_t>(rank)];
+    std::sort(distances.begin(), distances.end());
+    result.percentile_95 = distances[static_cast<std::size_t>(0.95 * (count - 1.0))];
+    result.spread = std::move(distances);
 }
 
 double distance_to_points(const Point3& p, const std::vector<Point3>& points)
@@ -239,7 +239,8 @@ DirectedDistance infinitely_far(const std::vector<Point3>& points)
             .max_at = points.empty() ? Point3{} : points.front(),
             .mean = kInfinity,
             .root_mean_square = kInfinity,
-            .percentile_95 = kInfinity};
+            .percentile_95 = kInfinity,
+            .spread = {}};
 }
 
 } // namespace

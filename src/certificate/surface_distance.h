@@ -22,6 +22,7 @@ struct DirectedDistance
     double mean = 0.0; //!< over samples spread evenly by area
     double root_mean_square = 0.0;
     double percentile_95 = 0.0;
+    std::vector<double> spread; //!< of the samples spread evenly by area, ascending
 };
 
 //! Infinite where one of the two is empty and the other is not.
