@@ -1,17 +1,13 @@
 #include "bench/isolated_run.h"
 
-#include <cerrno>
 #include <cstring>
 #include <ctime>
-#include <exception>
-#include <iostream>
 #include <stdexcept>
 #include <type_traits>
 
 #include <malloc.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
+#include "compare/process_pool.h"
 #include "mesh/measures.h"
 #include "mesh/topology.h"
 #include "support/memory.h"
@@ -57,7 +53,8 @@ RunRecord run(const Entry& entry, const MeshingTask& task, Checks checks)
 
     const double cpu_before = cpu_seconds();
     const Stopwatch stopwatch;
-    contestant->mesh();
+    StageClock stages;
+    contestant->mesh(stages);
     record.wall_seconds = stopwatch.seconds();
     record.cpu_seconds = cpu_seconds() - cpu_before;
 
@@ -70,55 +67,21 @@ RunRecord run(const Entry& entry, const MeshingTask& task, Checks checks)
     return record;
 }
 
-//! Never returns: the child must not run the parent's destructors.
-[[noreturn]] void run_as_child(const Entry& contestant, const MeshingTask& task, Checks checks, int pipe_end)
-{
-    int status = 1;
-    try
-    {
-        const RunRecord record = run(contestant, task, checks);
-        if (write(pipe_end, &record, sizeof record) == static_cast<ssize_t>(sizeof record))
-            status = 0;
-    }
-    catch (const std::exception& error)
-    {
-        std::cerr << contestant.name << ": " << error.what() << std::endl;
-    }
-    _exit(status);
-}
-
-std::string describe_end(int wait_status)
-{
-    if (WIFSIGNALED(wait_status))
-        return std::string("ended by signal ") + strsignal(WTERMSIG(wait_status));
-    return "exit status " + std::to_string(WEXITSTATUS(wait_status));
-}
-
 } // namespace
 
 RunRecord run_isolated(const Entry& contestant, const MeshingTask& task, Checks checks)
 {
-    int ends[2];
-    if (pipe(ends) != 0)
-        throw std::runtime_error("pipe: " + std::string(std::strerror(errno)));
-    std::cout.flush();
-    const pid_t child = fork();
-    if (child < 0)
-        throw std::runtime_error("fork: " + std::string(std::strerror(errno)));
-    if (child == 0)
-    {
-        close(ends[0]);
-        run_as_child(contestant, task, checks, ends[1]);
-    }
-    close(ends[1]);
-
-    RunRecord record; // small enough to come through the pipe in one piece
-    const bool complete = read(ends[0], &record, sizeof record) == static_cast<ssize_t>(sizeof record);
-    close(ends[0]);
-    int wait_status = 0;
-    waitpid(child, &wait_status, 0);
-    if (!complete || wait_status != 0)
-        throw std::runtime_error(contestant.name + " did not finish: " + describe_end(wait_status));
+    const ChildResult result = run_in_child(
+        [&](ChildOutput& output)
+        {
+            const RunRecord record = run(contestant, task, checks);
+            output.send({reinterpret_cast<const char*>(&record), sizeof record});
+        });
+    if (result.failure || result.parts.size() != 1)
+        throw std::runtime_error(contestant.name +
+                                 " did not finish: " + result.failure.value_or("it sent nothing"));
+    RunRecord record;
+    std::memcpy(&record, result.parts.front().data(), sizeof record);
     return record;
 }
 

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "bench/contestant.h"
+#include "bench/contestants.h"
 
 namespace voroprobe::bench
 {

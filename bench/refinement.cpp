@@ -11,7 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "bench/contestant.h"
+#include "bench/contestants.h"
 #include "bench/isolated_run.h"
 #include "bench/standings.h"
 #include "io/volume_reader.h"
@@ -197,6 +197,7 @@ MeshingTask make_task(const Options& options, Subject subject)
             .max_facet_radius = options.size,
             .max_facet_distance = options.distance,
             .floor_radius = options.floor.value_or(0.25 * volume->geometry.min_spacing()),
+            .reach = volume->geometry.min_spacing(),
             .peer_error_bound = options.peer_error_bound};
 }
 

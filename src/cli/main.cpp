@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/check_command.h"
+#include "cli/compare_command.h"
 #include "cli/info_command.h"
 #include "cli/interrupt.h"
 #include "cli/mesh_command.h"
@@ -55,6 +56,10 @@ int run(int argc, const char* const* argv)
     voroprobe::CheckArguments check_arguments;
     CLI::App& check = *app.add_subcommand("check", "Check a mesh made by anyone, alone or against its scan");
     voroprobe::add_check_arguments(check, check_arguments);
+    voroprobe::CompareArguments compare_arguments;
+    CLI::App& compare =
+        *app.add_subcommand("compare", "Hold our mesh of a scan against marching cubes and others: a page");
+    voroprobe::add_compare_arguments(compare, compare_arguments);
 
     try
     {
@@ -70,8 +75,15 @@ int run(int argc, const char* const* argv)
         voroprobe::run_info_command(info_arguments);
     if (check.parsed())
         voroprobe::run_check_command(check_arguments);
+    if (compare.parsed())
+    {
+        compare_arguments.command.assign(argv, argv + argc);
+        compare_arguments.command.front() = "voroprobe";
+        voroprobe::run_compare_command(compare_arguments);
+    }
     if (app.get_subcommands().empty())
-        throw voroprobe::UsageError("a command is required: mesh, info or check (see voroprobe --help)");
+        throw voroprobe::UsageError(
+            "a command is required: mesh, info, check or compare (see voroprobe --help)");
     return static_cast<int>(ExitStatus::kDone);
 }
 

@@ -63,6 +63,7 @@ SurfaceInput load_volume_surface(const SurfaceRequest& request)
 
     const GridPlacement placement{volume->geometry.world_from_grid, volume->geometry.source_index_from_grid};
     SurfaceInput input{.oracle = nullptr,
+                       .volume = volume,
                        .inventory = nullptr,
                        .placement = placement,
                        .lattice = file_lattice(volume->geometry.size, placement),

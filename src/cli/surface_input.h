@@ -58,7 +58,8 @@ enum class InputKind
 struct SurfaceInput
 {
     InputKind kind = InputKind::kVolume;
-    std::unique_ptr<SurfaceOracle> oracle;                //!< frame: grid
+    std::shared_ptr<const SurfaceOracle> oracle;          //!< frame: grid
+    std::shared_ptr<const Volume> volume = nullptr;       //!< where the input is a dense one
     std::shared_ptr<const Inventory> inventory = nullptr; //!< where it was wanted; the oracle knows it
     GridPlacement placement;
     FileLattice lattice;

@@ -16,21 +16,21 @@ MAY_INCLUDE = {
     "io": ["src/volume", "src/mesh"],
     "src/labels": ["src/volume", "oracles", "src/mesher", "src/certificate"],
     "src/postprocess": ["oracles/surface_oracle.h", "src/mesh"],
-    "src/compare": ["src/mesh", "src/volume", "src/postprocess"],
+    "src/compare": ["src/volume", "oracles", "src/mesher", "src/certificate"],
     "src/cli": ["src/volume", "oracles", "src/mesher", "io", "src/certificate", "src/labels", "src/postprocess", "src/compare"],
 }
 
 # Third party: how its headers begin, and the folders whose files may name it.
 THIRD_PARTIES = {
     "ITK": (("itk", "gdcm"), ["io", "src/labels"]),
-    "OpenVDB": (("openvdb/",), ["io", "oracles"]),
+    "OpenVDB": (("openvdb/",), ["io", "oracles", "src/compare"]),
     "OpenMesh": (("OpenMesh/",), ["io", "src/postprocess"]),
     "lib3mf": (("lib3mf/", "Model/COM/NMR_"), ["io"]),
     "VTK": (("vtk",), ["io", "src/compare"]),
     "libtiff": (("tiffio.h",), ["io"]),
-    "zlib": (("zlib.h",), ["io"]),
+    "zlib": (("zlib.h",), ["io", "src/compare"]),
     "CGAL": (("CGAL/", "boost/"), ["oracles", "src/mesher", "src/certificate", "src/compare"]),
-    "TBB": (("tbb/", "oneapi/tbb"), ["src/volume", "src/mesher", "src/certificate", "src/labels"]),
+    "TBB": (("tbb/", "oneapi/tbb"), ["src/volume", "src/mesher", "src/certificate", "src/labels", "src/compare"]),
     "muParser": (("muParser",), ["oracles"]),
     "CLI11": (("CLI/",), ["src/cli"]),
     "nlohmann-json": (("nlohmann/",), ["src/cli", "src/compare"]),

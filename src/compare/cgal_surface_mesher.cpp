@@ -9,10 +9,10 @@
 #include <CGAL/Surface_mesh_default_triangulation_3.h>
 #include <CGAL/make_surface_mesh.h>
 
-#include "bench/contestant.h"
-#include "bench/samples.h"
+#include "compare/contestant.h"
+#include "compare/peer_field.h"
 
-namespace voroprobe::bench
+namespace voroprobe
 {
 
 namespace
@@ -28,32 +28,29 @@ constexpr std::size_t kSeedsPerRegion = 20; // as many as CGAL's scan for Mesh_3
 class TrilinearSide
 {
 public:
-    TrilinearSide(const GridGeometry& geometry, const std::vector<float>& samples, double isovalue)
-        : geometry_(&geometry), samples_(&samples), isovalue_(isovalue)
-    {
-    }
+    explicit TrilinearSide(const PeerField& field) : field_(&field) {}
 
     double operator()(const Kernel::Point_3& p) const
     {
         const auto value = interpolate({p.x(), p.y(), p.z()});
-        return value && *value >= isovalue_ ? -1.0 : 1.0;
+        return value && *value >= field_->isovalue ? -1.0 : 1.0;
     }
 
 private:
-    [[nodiscard]] std::optional<double> interpolate(const Point3& p) const
+    [[nodiscard]] std::optional<double> interpolate(const Point3& p) const // the field begins at the origin
     {
-        const auto& n = geometry_->size;
+        const auto& n = field_->size;
         std::array<std::size_t, 3> at{};
         std::array<double, 3> t{};
         for (std::size_t axis = 0; axis < 3; ++axis)
         {
-            const double index = p[axis] / geometry_->spacing[axis];
+            const double index = p[axis] / field_->spacing[axis];
             if (!(index >= 0.0 && index <= static_cast<double>(n[axis] - 1)))
                 return std::nullopt;
             at[axis] = std::min(static_cast<std::size_t>(index), n[axis] - 2);
             t[axis] = index - static_cast<double>(at[axis]);
         }
-        const float* corner = samples_->data() + at[0] + n[0] * (at[1] + n[1] * at[2]);
+        const float* corner = field_->samples.data() + at[0] + n[0] * (at[1] + n[1] * at[2]);
         const auto along_x = [&](std::size_t offset)
         { return (1.0 - t[0]) * corner[offset] + t[0] * corner[offset + 1]; };
         const auto along_xy = [&](std::size_t offset)
@@ -61,9 +58,7 @@ private:
         return (1.0 - t[2]) * along_xy(0) + t[2] * along_xy(n[0] * n[1]);
     }
 
-    const GridGeometry* geometry_;
-    const std::vector<float>* samples_;
-    double isovalue_;
+    const PeerField* field_;
 };
 
 using Surface = CGAL::Implicit_surface_3<Kernel, TrilinearSide>;
@@ -79,16 +74,21 @@ Kernel::Sphere_3 bounding_sphere(const Box3& box)
 class SurfaceMesher final : public Contestant
 {
 public:
-    explicit SurfaceMesher(const MeshingTask& task) : task_(task), samples_(to_float(*task.volume)) {}
-
-    void mesh() override
+    SurfaceMesher(const MeshingTask& task, FirstPoints points)
+        : task_(task), points_(points), field_(make_peer_field(task))
     {
-        const GridGeometry& geometry = task_.volume->geometry;
-        for (const Point3& p : seeds_on_every_region(geometry, samples_, task_.isovalue, kSeedsPerRegion))
-            triangulation_.insert(Kernel::Point_3(p.x, p.y, p.z));
+    }
 
-        const Surface surface(TrilinearSide(geometry, samples_, task_.isovalue),
-                              bounding_sphere(geometry.grid_box()), task_.peer_error_bound);
+    void mesh(StageClock& clock) override
+    {
+        if (points_ == FirstPoints::kSeeded)
+        {
+            clock.begin("seeds");
+            for (const Point3& p : seeds_on_every_region(field_, kSeedsPerRegion))
+                triangulation_.insert(Kernel::Point_3(p.x, p.y, p.z));
+        }
+        clock.begin("refinement");
+        const Surface surface(TrilinearSide(field_), bounding_sphere(field_.border), task_.peer_error_bound);
         const CGAL::Surface_mesh_default_criteria_3<Triangulation> criteria(
             task_.min_facet_angle_deg, task_.max_facet_radius, task_.max_facet_distance);
         CGAL::make_surface_mesh(complex_, surface, criteria, CGAL::Non_manifold_tag());
@@ -111,23 +111,33 @@ public:
                     mesh.vertices.push_back({vertex->point().x(), vertex->point().y(), vertex->point().z()});
                 face[static_cast<std::size_t>(corner)] = entry->second;
             }
+            if (is_inside(facet->first)) // the triple runs counter-clockwise seen from within its cell
+                std::swap(face[1], face[2]);
             mesh.faces.push_back(face);
         }
         return mesh;
     }
 
 private:
+    //! Of the two cells of a facet one is inside, by their circumcenters, where the surface crosses between
+    //! them once.
+    [[nodiscard]] bool is_inside(const Triangulation::Cell_handle& cell) const
+    {
+        return !triangulation_.is_infinite(cell) && TrilinearSide(field_)(triangulation_.dual(cell)) < 0.0;
+    }
+
     MeshingTask task_;
-    std::vector<float> samples_;
+    FirstPoints points_;
+    PeerField field_;
     Triangulation triangulation_;
     Complex complex_{triangulation_};
 };
 
 } // namespace
 
-std::unique_ptr<Contestant> make_surface_mesher(const MeshingTask& task)
+std::unique_ptr<Contestant> make_surface_mesher(const MeshingTask& task, FirstPoints points)
 {
-    return std::make_unique<SurfaceMesher>(task);
+    return std::make_unique<SurfaceMesher>(task, points);
 }
 
-} // namespace voroprobe::bench
+} // namespace voroprobe

@@ -14,10 +14,10 @@
 #include <CGAL/make_mesh_3.h>
 #include <CGAL/refine_mesh_3.h>
 
-#include "bench/contestant.h"
-#include "bench/samples.h"
+#include "compare/contestant.h"
+#include "compare/peer_field.h"
 
-namespace voroprobe::bench
+namespace voroprobe
 {
 
 namespace
@@ -29,13 +29,12 @@ using Triangulation = CGAL::Mesh_triangulation_3<Domain, CGAL::Default, CGAL::Se
 using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
 using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 
-CGAL::Image_3 make_image(const Volume& volume)
+CGAL::Image_3 make_image(const PeerField& field)
 {
-    const std::vector<float> samples = to_float(volume);
-    const auto& [size, spacing] = std::tie(volume.geometry.size, volume.geometry.spacing);
+    const auto& [size, spacing] = std::tie(field.size, field.spacing);
     _image* image = _createImage(size[0], size[1], size[2], 1, spacing.x, spacing.y, spacing.z, sizeof(float),
                                  WK_FLOAT, SGN_SIGNED);
-    std::memcpy(image->data, samples.data(), samples.size() * sizeof(float));
+    std::memcpy(image->data, field.samples.data(), field.samples.size() * sizeof(float));
     return CGAL::Image_3(image, CGAL::Image_3::OWN_THE_DATA);
 }
 
@@ -56,39 +55,38 @@ private:
     std::streambuf* previous_;
 };
 
-enum class Seeding
-{
-    kDefault, //!< CGAL's: rays from the middle of the domain
-    kScan     //!< rays from every connected set of inside voxels
-};
-
 class Mesh3 final : public Contestant
 {
 public:
-    Mesh3(const MeshingTask& task, Seeding seeding)
-        : task_(task), seeding_(seeding), image_(make_image(*task.volume))
+    Mesh3(const MeshingTask& task, Mesh3Seeding seeding) : task_(task), seeding_(seeding)
     {
-        const float* samples = static_cast<const float*>(image_.data());
-        const float lowest = *std::min_element(samples, samples + task.volume->geometry.sample_count());
-        value_outside_ = std::min<double>(lowest, task.isovalue - 1.0);
+        const PeerField field = make_peer_field(task);
+        isovalue_ = field.isovalue;
+        image_ = make_image(field);
+        const float lowest = *std::min_element(field.samples.begin(), field.samples.end());
+        value_outside_ = std::min<double>(lowest, isovalue_ - 1.0);
     }
 
-    void mesh() override
+    void mesh(StageClock& clock) override
     {
         namespace p = CGAL::parameters;
         const SilencedOutput silenced;
+        clock.begin("domain");
         const Domain domain = Domain::create_gray_image_mesh_domain(
-            p::image = image_, p::iso_value = task_.isovalue, p::value_outside = value_outside_,
+            p::image = image_, p::iso_value = isovalue_, p::value_outside = value_outside_,
             p::relative_error_bound = task_.peer_error_bound);
         const Criteria criteria(p::facet_angle = task_.min_facet_angle_deg,
                                 p::facet_size = task_.max_facet_radius,
                                 p::facet_distance = task_.max_facet_distance);
-        if (seeding_ == Seeding::kDefault)
+        if (seeding_ == Mesh3Seeding::kDefault)
         {
+            clock.begin("refinement");
             complex_ = CGAL::make_mesh_3<Complex>(domain, criteria, p::no_exude(), p::no_perturb());
             return;
         }
-        initialize_triangulation_from_gray_image(complex_, domain, image_, criteria, task_.isovalue, float{});
+        clock.begin("scan for components");
+        initialize_triangulation_from_gray_image(complex_, domain, image_, criteria, isovalue_, float{});
+        clock.begin("refinement");
         CGAL::refine_mesh_3(complex_, domain, criteria, p::no_reset_c3t3(), p::no_exude(), p::no_perturb());
     }
 
@@ -110,8 +108,8 @@ public:
                     mesh.vertices.push_back({vertex->point().x(), vertex->point().y(), vertex->point().z()});
                 face[static_cast<std::size_t>(corner)] = entry->second;
             }
-            if (!complex_.is_in_complex(
-                    facet->first)) // the triple runs counter-clockwise seen from outside its cell
+            if (complex_.is_in_complex(
+                    facet->first)) // the triple runs counter-clockwise seen from within its cell
                 std::swap(face[1], face[2]);
             mesh.faces.push_back(face);
         }
@@ -120,22 +118,18 @@ public:
 
 private:
     MeshingTask task_;
-    Seeding seeding_;
+    Mesh3Seeding seeding_;
     CGAL::Image_3 image_;
+    double isovalue_ = 0.0;
     double value_outside_ = 0.0;
     Complex complex_;
 };
 
 } // namespace
 
-std::unique_ptr<Contestant> make_mesh_3_default(const MeshingTask& task)
+std::unique_ptr<Contestant> make_mesh_3(const MeshingTask& task, Mesh3Seeding seeding)
 {
-    return std::make_unique<Mesh3>(task, Seeding::kDefault);
+    return std::make_unique<Mesh3>(task, seeding);
 }
 
-std::unique_ptr<Contestant> make_mesh_3_scan(const MeshingTask& task)
-{
-    return std::make_unique<Mesh3>(task, Seeding::kScan);
-}
-
-} // namespace voroprobe::bench
+} // namespace voroprobe

@@ -1,8 +1,8 @@
-#include "bench/contestant.h"
+#include "compare/contestant.h"
 #include "mesher/seeded_mesher.h"
 #include "oracles/trilinear_oracle.h"
 
-namespace voroprobe::bench
+namespace voroprobe
 {
 
 namespace
@@ -14,16 +14,18 @@ class Voroprobe final : public Contestant
 public:
     explicit Voroprobe(const MeshingTask& task) : task_(task) {}
 
-    void mesh() override
+    void mesh(StageClock& clock) override
     {
-        const LevelledVolume levelled = level_volume(task_.volume, task_.isovalue);
+        clock.begin("inventory");
+        const LevelledVolume levelled = level_volume(task_.volume, task_.isovalue, task_.inside);
         const auto inventory = std::make_shared<const Inventory>(*make_height_field(levelled), 1);
         const auto oracle = make_trilinear_oracle(levelled, inventory);
+        clock.begin("refinement");
         mesh_ = mesh_surface(*oracle, {.max_facet_radius = task_.max_facet_radius,
                                        .max_facet_distance = task_.max_facet_distance,
                                        .min_facet_angle_deg = task_.min_facet_angle_deg,
                                        .floor_radius = task_.floor_radius,
-                                       .reach_lower_bound = task_.volume->geometry.min_spacing()})
+                                       .reach_lower_bound = task_.reach})
                     .mesh;
     }
 
@@ -41,4 +43,4 @@ std::unique_ptr<Contestant> make_voroprobe(const MeshingTask& task)
     return std::make_unique<Voroprobe>(task);
 }
 
-} // namespace voroprobe::bench
+} // namespace voroprobe

@@ -1,0 +1,159 @@
+#include "cli/compare_command.h"
+
+#include <algorithm>
+#include <iostream>
+
+#include "cli/compare_scan.h"
+#include "cli/summary.h"
+#include "cli/surface_input.h"
+#include "cli/warnings.h"
+#include "compare/one_thread.h"
+#include "compare/virtual_display.h"
+#include "io/mesh_writer.h"
+#include "support/error.h"
+
+namespace voroprobe
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+//! Names of files in a folder that are scans by themselves.
+bool is_volume_name(const fs::path& path)
+{
+    std::string name = path.filename().string();
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const auto ends = {".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd", ".inr", ".inr.gz", ".vti"};
+    return std::any_of(ends.begin(), ends.end(), [&](const char* end) { return name.ends_with(end); });
+}
+
+//! A folder that holds volumes stands for them, in the order of their names; any other path for itself.
+std::vector<fs::path> scans_of(const std::vector<fs::path>& inputs)
+{
+    std::vector<fs::path> scans;
+    for (const fs::path& input : inputs)
+    {
+        std::vector<fs::path> inside;
+        std::error_code none;
+        for (const fs::directory_entry& entry : fs::directory_iterator(input, none))
+            if (entry.is_regular_file(none) && is_volume_name(entry.path()))
+                inside.push_back(entry.path());
+        std::sort(inside.begin(), inside.end());
+        if (inside.empty())
+            inside.push_back(input);
+        scans.insert(scans.end(), inside.begin(), inside.end());
+    }
+    return scans;
+}
+
+//! "scan.nii.gz" without what tells the format.
+std::string stem_of(const fs::path& path)
+{
+    fs::path name = path.filename().empty() ? path.parent_path().filename() : path.filename();
+    if (name.extension() == ".gz")
+        name = name.stem();
+    return name.has_stem() && !fs::is_directory(path) ? name.stem().string() : name.string();
+}
+
+//! Where the files of one scan go: the page, and others by its name.
+struct Outputs
+{
+    fs::path page;
+
+    [[nodiscard]] fs::path beside(const std::string& ending) const
+    {
+        return page.parent_path() / (page.stem().string() + ending);
+    }
+};
+
+ScanReport compare_into(const Outputs& outputs, const CompareArguments& arguments, const fs::path& scan,
+                        const std::optional<std::string>& no_pictures)
+{
+    ScanReport report = compare_scan(arguments, scan, outputs.page.stem().string(), no_pictures);
+    for (const auto& [name, picture] : report.pictures)
+        write_text(outputs.page.parent_path() / name, picture);
+    write_text(outputs.beside(".json"), report.json);
+    write_text(outputs.beside(".csv"), report.csv);
+    write_text(outputs.beside(".md"), report.markdown);
+    write_text(outputs.page, report.page);
+    if (!arguments.quiet)
+        std::cout << report.headline << "\n\n"
+                  << report.table << "\nwritten " << outputs.page.string() << std::endl;
+    return report;
+}
+
+void check_arguments(const CompareArguments& arguments, const std::vector<fs::path>& scans)
+{
+    if (arguments.output.empty())
+        throw UsageError("--output is required (see voroprobe compare --help)");
+    for (const fs::path& scan : scans)
+        check_request({.path = scan, .read = arguments.read});
+    if (scans.size() == 1 && arguments.output.extension() != ".html")
+        throw UsageError("--output is '" + arguments.output.string() +
+                         "'; allowed: a name that ends in .html");
+    if (scans.size() > 1 && !arguments.with.empty())
+        throw UsageError("--with is '" + arguments.with.front().name + "=" +
+                         arguments.with.front().path.string() + "'; allowed: only with one scan");
+}
+
+void make_folder(const fs::path& folder)
+{
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+        throw OutputError("cannot write '" + folder.string() + "': " + error.message());
+}
+
+//! One page after the other, and an index of those there are. A scan that cannot be read is told of, and the
+//! others come.
+void compare_all(const CompareArguments& arguments, const std::vector<fs::path>& scans,
+                 const std::optional<std::string>& no_pictures)
+{
+    make_folder(arguments.output);
+    check_writable(arguments.output / "index.html");
+    std::vector<std::pair<std::string, std::string>> pages;
+    std::vector<std::string> failures;
+    for (const fs::path& scan : scans)
+    {
+        const Outputs outputs{arguments.output / (stem_of(scan) + ".html")};
+        try
+        {
+            pages.emplace_back(outputs.page.filename().string(),
+                               compare_into(outputs, arguments, scan, no_pictures).json);
+        }
+        catch (const Error& error)
+        {
+            failures.push_back(scan.string() + ": " + error.what());
+        }
+    }
+    if (!pages.empty())
+        write_text(arguments.output / "index.html", report_index(pages));
+    print_warnings(failures);
+    if (!failures.empty())
+        throw InputError(std::to_string(failures.size()) + " of " + std::to_string(scans.size()) +
+                         " scans have no page: " + failures.front());
+}
+
+} // namespace
+
+void run_compare_command(const CompareArguments& arguments)
+{
+    const std::vector<fs::path> scans = scans_of(arguments.inputs);
+    check_arguments(arguments, scans);
+    const OneThread one_thread; // contestants are forks of this process
+    std::optional<VirtualDisplay> display;
+    if (arguments.pictures)
+        display.emplace();
+    const std::optional<std::string> no_pictures = display ? display->failure() : std::nullopt;
+    if (no_pictures)
+        print_warnings({"no pictures: " + *no_pictures});
+    if (scans.size() > 1)
+        return compare_all(arguments, scans, no_pictures);
+    check_writable(arguments.output);
+    compare_into({arguments.output}, arguments, scans.front(), no_pictures);
+}
+
+} // namespace voroprobe

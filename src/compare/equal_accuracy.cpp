@@ -1,0 +1,303 @@
+#include "compare/equal_accuracy.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <optional>
+
+#include "compare/one_thread.h"
+#include "mesh/topology.h"
+#include "support/stopwatch.h"
+
+namespace voroprobe
+{
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+//! One mesh of a contestant, `factor` times as coarse as the one of the comparison.
+struct Trial
+{
+    double factor;
+    std::size_t vertices;
+    double max;
+    double rms;
+};
+
+//! What is made equal.
+enum class Goal
+{
+    kMax,
+    kRms
+};
+
+//! Factors tried: a 256th of the length is a 65,536th of a triangle, no mesh of a scan.
+constexpr double kFinest = 1.0 / 16.0;
+constexpr double kCoarsest = 16.0;
+
+//! Distances grow with lengths to a power between 1 and 2: the first guess.
+constexpr double kPower = 1.5;
+
+//! What needs more times the vertices of the reference has lost, and is not followed further.
+constexpr double kMostOfReference = 2.0;
+
+//! A contestant that has lost a surface gets no nearer: finer by the first factor or more, it is nearer by
+//! less than the second.
+constexpr double kFiner = 1.5;
+constexpr double kNearer = 1.1;
+
+//! The largest step of a guess, and how far it aims beyond the goal, so that the goal is then between two
+//! trials.
+constexpr double kLargestStep = 4.0;
+constexpr double kBeyond = 1.15;
+
+//! The search ends where the next trial would change the factor by less: its vertices by a tenth.
+constexpr double kSmallestChange = 1.05;
+
+//! Runs of a contestant for one goal, at most.
+constexpr std::size_t kTrialsPerGoal = 3;
+
+double value(const Trial& trial, Goal goal)
+{
+    return goal == Goal::kMax ? trial.max : trial.rms;
+}
+
+//! The trials of a contestant, and what to try next.
+class Search
+{
+public:
+    Search(const Trial& first, const Trial& reference) : reference_(reference), trials_{first} {}
+
+    void add(const Trial& trial) { trials_.push_back(trial); }
+
+    //! nullopt where nothing is left to learn.
+    [[nodiscard]] std::optional<double> next(Goal goal) const
+    {
+        const Trial* good = nullptr; // the coarsest that is as near as the goal
+        for (const Trial& trial : trials_)
+            if (value(trial, goal) <= target(goal) && (good == nullptr || trial.factor > good->factor))
+                good = &trial;
+        const Trial* bad = nullptr; // the finest that is not, coarser than that
+        for (const Trial& trial : trials_)
+            if (value(trial, goal) > target(goal) && (good == nullptr || trial.factor > good->factor) &&
+                (bad == nullptr || trial.factor < bad->factor))
+                bad = &trial;
+        if (good != nullptr && bad != nullptr)
+            return between(*good, *bad, goal);
+        if (good == nullptr && gets_no_nearer(*bad, goal))
+            return std::nullopt;
+        return good != nullptr ? beyond(*good, goal, kBeyond) : beyond(*bad, goal, 1.0 / kBeyond);
+    }
+
+    [[nodiscard]] std::optional<Trial> best(Goal goal) const
+    {
+        std::optional<Trial> best;
+        for (const Trial& trial : trials_)
+            if (value(trial, goal) <= target(goal) && (!best || trial.vertices < best->vertices))
+                best = trial;
+        return best;
+    }
+
+    [[nodiscard]] const std::vector<Trial>& trials() const { return trials_; }
+
+private:
+    [[nodiscard]] double target(Goal goal) const { return value(reference_, goal); }
+
+    //! Along a straight line in logarithms, but not too near an end.
+    [[nodiscard]] std::optional<double> between(const Trial& good, const Trial& bad, Goal goal) const
+    {
+        const double ratio = bad.factor / good.factor;
+        if (ratio < kSmallestChange * kSmallestChange)
+            return std::nullopt;
+        const double whole = std::log(value(bad, goal) / value(good, goal));
+        const double part = std::log(target(goal) / value(good, goal));
+        return good.factor * std::pow(ratio, std::clamp(part / whole, 0.25, 0.75));
+    }
+
+    [[nodiscard]] std::optional<double> beyond(const Trial& trial, Goal goal, double aim) const
+    {
+        const double step = aim * std::pow(target(goal) / value(trial, goal), 1.0 / kPower);
+        // Vertices go with the inverse square of lengths.
+        const double finest_step = std::sqrt(static_cast<double>(trial.vertices) /
+                                             (kMostOfReference * static_cast<double>(reference_.vertices)));
+        const double factor =
+            trial.factor *
+            std::clamp(step, std::min(1.0, std::max(1.0 / kLargestStep, finest_step)), kLargestStep);
+        const bool learns =
+            factor > trial.factor * kSmallestChange || factor < trial.factor / kSmallestChange;
+        return learns && factor >= kFinest && factor <= kCoarsest ? std::optional(factor) : std::nullopt;
+    }
+
+    [[nodiscard]] bool gets_no_nearer(const Trial& finest, Goal goal) const
+    {
+        return std::any_of(trials_.begin(), trials_.end(),
+                           [&](const Trial& trial) {
+                               return trial.factor >= kFiner * finest.factor &&
+                                      value(trial, goal) < kNearer * value(finest, goal);
+                           });
+    }
+
+    Trial reference_;
+    std::vector<Trial> trials_;
+};
+
+Trial trial_of(double factor, const Json& report)
+{
+    const Json& distance = report.at("distance").at("mm");
+    return {factor, report.at("vertices"), distance.at("max"), distance.at("rms")};
+}
+
+Json json_of(const Trial& trial)
+{
+    return {
+        {"factor", trial.factor}, {"vertices", trial.vertices}, {"max_mm", trial.max}, {"rms_mm", trial.rms}};
+}
+
+//! In the child.
+void run_trial(const ContestantEntry& entry, const MeshingTask& task, double factor,
+               const ReferenceSurface& reference, const MeasuringOptions& options, ChildOutput& output)
+{
+    const OneThread one_thread;
+    const auto contestant = entry.make(coarser(task, entry.knob, factor));
+    StageClock clock;
+    contestant->mesh(clock);
+    const TriangleMesh mesh = weld(contestant->result());
+    const TwoSidedDistance distance = measure_distance(mesh, reference, options);
+    output.send(json_of(Trial{factor, mesh.vertices.size(), distance.max, distance.root_mean_square}).dump());
+}
+
+class Sweep
+{
+public:
+    Sweep(const ContestantOutcome& outcome, const Trial& reference)
+        : outcome_(outcome), search_(trial_of(1.0, outcome.report), reference),
+          reference_vertices_(reference.vertices)
+    {
+    }
+
+    [[nodiscard]] const ContestantEntry& entry() const { return outcome_.entry; }
+
+    //! The goals in turn. nullopt where the sweep is over.
+    std::optional<double> next()
+    {
+        for (std::size_t goals = 0; goals < kGoals.size(); ++goals)
+        {
+            const std::size_t which = turn_++ % kGoals.size();
+            if (tried_[which] == kTrialsPerGoal)
+                continue;
+            const auto factor = failure_ ? std::nullopt : search_.next(kGoals[which]);
+            if (!factor)
+                continue;
+            ++tried_[which];
+            return factor;
+        }
+        return std::nullopt;
+    }
+
+    void stop(const std::string& reason) { failure_ = reason; }
+
+    void take(const ChildResult& result)
+    {
+        if (result.parts.empty())
+            return stop(result.failure.value_or("it sent nothing"));
+        const Json trial = Json::parse(result.parts.front());
+        search_.add({trial.at("factor"), trial.at("vertices"), trial.at("max_mm"), trial.at("rms_mm")});
+    }
+
+    [[nodiscard]] Json report() const
+    {
+        Json trials = Json::array();
+        for (const Trial& trial : search_.trials())
+            trials.push_back(json_of(trial));
+        Json json = {{"name", entry().name},
+                     {"trials", trials},
+                     {"at_equal_max", best_json(Goal::kMax)},
+                     {"at_equal_rms", best_json(Goal::kRms)}};
+        if (failure_)
+            json["ended_by"] = *failure_;
+        return json;
+    }
+
+private:
+    static constexpr std::array<Goal, 2> kGoals{Goal::kRms, Goal::kMax};
+
+    [[nodiscard]] Json best_json(Goal goal) const
+    {
+        const auto best = search_.best(goal);
+        if (!best)
+            return nullptr;
+        return {
+            {"vertices", best->vertices},
+            {"of_reference", static_cast<double>(best->vertices) / static_cast<double>(reference_vertices_)}};
+    }
+
+    const ContestantOutcome& outcome_;
+    Search search_;
+    std::size_t reference_vertices_;
+    std::optional<std::string> failure_;
+    std::size_t turn_ = 0;
+    std::array<std::size_t, 2> tried_{};
+};
+
+//! Runs the next trial of a sweep; when that is done, the one after it.
+void add_trial(ProcessPool& pool, Sweep& sweep, const MeshingTask& task, const ReferenceSurface& reference,
+               const CompetitionOptions& options, const Stopwatch& clock)
+{
+    const std::optional<double> factor = sweep.next();
+    if (!factor)
+        return;
+    if (clock.seconds() > options.sweep_seconds)
+        return sweep.stop("the time for it was over");
+    pool.add([&sweep, &task, &reference, &options, factor](ChildOutput& output)
+             { run_trial(sweep.entry(), task, *factor, reference, options.measuring, output); },
+             [&pool, &sweep, &task, &reference, &options, &clock](const ChildResult& result)
+             {
+                 sweep.take(result);
+                 if (options.tell)
+                     options.tell("equal accuracy, " + sweep.entry().title);
+                 add_trial(pool, sweep, task, reference, options, clock);
+             },
+             options.sweep_seconds,
+             sweep.entry().name == kOurs ? ProcessPool::Turn::kNext : ProcessPool::Turn::kLast);
+}
+
+const ContestantOutcome* find_done(const std::vector<ContestantOutcome>& outcomes, const std::string& name)
+{
+    for (const ContestantOutcome& outcome : outcomes)
+        if (outcome.entry.name == name && outcome.done())
+            return &outcome;
+    return nullptr;
+}
+
+} // namespace
+
+nlohmann::ordered_json equal_accuracy(const std::vector<ContestantOutcome>& outcomes, const MeshingTask& task,
+                                      const ReferenceSurface& reference, const CompetitionOptions& options)
+{
+    const ContestantOutcome* marching_cubes = find_done(outcomes, kReference);
+    if (marching_cubes == nullptr)
+        return nullptr;
+    const Trial goal = trial_of(1.0, marching_cubes->report);
+    const ContestantOutcome* ours = find_done(outcomes, kOurs);
+    const MeshingTask aimed = ours != nullptr ? with_targets(task, ours->report) : task;
+
+    const Stopwatch clock;
+    std::deque<Sweep> sweeps; // referred to while it grows
+    ProcessPool pool(options.at_once);
+    for (const ContestantOutcome& outcome : outcomes)
+        if (outcome.done() && outcome.entry.knob != Knob::kNone)
+            add_trial(pool, sweeps.emplace_back(outcome, goal), aimed, reference, options, clock);
+    pool.run();
+
+    Json contestants = Json::array();
+    for (const Sweep& sweep : sweeps)
+        contestants.push_back(sweep.report());
+    return {{"reference",
+             {{"name", kReference}, {"vertices", goal.vertices}, {"max_mm", goal.max}, {"rms_mm", goal.rms}}},
+            {"contestants", contestants}};
+}
+
+} // namespace voroprobe

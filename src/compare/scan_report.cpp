@@ -1,0 +1,156 @@
+#include "compare/scan_report.h"
+
+#include <algorithm>
+#include <fstream>
+#include <thread>
+
+#include <nlohmann/json.hpp>
+
+#include "compare/competition.h"
+#include "compare/equal_accuracy.h"
+#include "compare/library_versions.h"
+#include "compare/report_page.h"
+#include "compare/report_text.h"
+#include "support/memory.h"
+
+namespace voroprobe
+{
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Vec3& v)
+{
+    return Json::array({v.x, v.y, v.z});
+}
+
+Json input_json(const ScanFacts& facts, const MeshingTask& task)
+{
+    return {{"name", facts.name},
+            {"path", facts.path},
+            {"format", facts.format},
+            {"type", facts.stored_type},
+            {"size", facts.size},
+            {"spacing_mm", json_of(facts.spacing)},
+            {"min", facts.min},
+            {"max", facts.max},
+            {"isovalue", task.isovalue},
+            {"isovalue_source", facts.isovalue_source},
+            {"inside", task.inside == InsideIs::kAbove ? "above" : "below"},
+            {"warnings", facts.warnings}};
+}
+
+Json parameters_json(const MeshingTask& task, const CompetitionOptions& options)
+{
+    return {{"size_mm", task.max_facet_radius},
+            {"angle_deg", task.min_facet_angle_deg},
+            {"distance_mm", task.max_facet_distance},
+            {"floor_mm", task.floor_radius},
+            {"reach_mm", task.reach},
+            {"samples", options.measuring.mesh_samples},
+            {"contestant_seconds", options.contestant_seconds},
+            {"sweep_seconds", options.sweep_seconds},
+            {"at_once", options.at_once}};
+}
+
+//! "model name" of the first processor; empty where the system does not tell.
+std::string processor_name()
+{
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);)
+        if (line.starts_with("model name"))
+            return line.substr(std::min(line.size(), line.find(':') + 2));
+    return {};
+}
+
+Json machine_json()
+{
+    return {{"processor", processor_name()},
+            {"processors", std::thread::hardware_concurrency()},
+            {"memory_bytes", total_memory_bytes()}};
+}
+
+Json surfaces_json(const ReferenceSurface& reference)
+{
+    Json list = Json::array();
+    const auto& surfaces = reference.inventory->surfaces();
+    for (std::size_t id = 0; id < surfaces.size(); ++id)
+        list.push_back({{"id", id},
+                        {"voxels", surfaces[id].enclosed_samples},
+                        {"cavity", surfaces[id].cavity},
+                        {"touches_border", surfaces[id].touches_border},
+                        {"genus", (2 - surfaces[id].euler_characteristic) / 2},
+                        {"center_mm", json_of(reference.world_from_grid * surfaces[id].box.center())},
+                        {"size_mm", json_of(surfaces[id].box.extent())}});
+    return list;
+}
+
+Json contestants_json(std::vector<ContestantOutcome>& outcomes, const std::string& stem, ScanReport& result)
+{
+    Json contestants = Json::array();
+    for (ContestantOutcome& outcome : outcomes)
+    {
+        if (!outcome.picture.empty())
+        {
+            const std::string file = stem + "_" + outcome.entry.name + ".png";
+            outcome.report["picture"] = file;
+            result.pictures.emplace_back(file, std::move(outcome.picture));
+        }
+        contestants.push_back(outcome.report);
+    }
+    return contestants;
+}
+
+std::vector<PageView> page_views(const std::vector<ContestantOutcome>& outcomes)
+{
+    std::vector<PageView> views;
+    for (const ContestantOutcome& outcome : outcomes)
+        if (!outcome.view.empty())
+            views.push_back({outcome.entry.name, outcome.view});
+    return views;
+}
+
+} // namespace
+
+ScanReport make_scan_report(const ScanFacts& facts, const std::vector<ContestantEntry>& entries,
+                            const MeshingTask& task, const ReferenceSurface& reference,
+                            const CompetitionOptions& options)
+{
+    std::vector<ContestantOutcome> outcomes = compete(entries, task, reference, options);
+    const Json equal =
+        options.sweep_seconds > 0.0 ? equal_accuracy(outcomes, task, reference, options) : Json(nullptr);
+    ScanReport result;
+    Json report = {{"version", facts.version},
+                   {"headline", ""},
+                   {"command", facts.command},
+                   {"date", facts.date},
+                   {"machine", machine_json()},
+                   {"libraries", library_versions()},
+                   {"input", input_json(facts, task)},
+                   {"parameters", parameters_json(task, options)},
+                   {"voxel_mm", reference.voxel},
+                   {"pictures_missing", facts.no_pictures ? Json(*facts.no_pictures) : Json(nullptr)},
+                   {"surfaces", surfaces_json(reference)},
+                   {"contestants", contestants_json(outcomes, facts.stem, result)},
+                   {"equal_accuracy", equal}};
+    result.headline = headline(report);
+    report["headline"] = result.headline;
+    result.json = report.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    result.csv = report_csv(report);
+    result.markdown = report_markdown(report);
+    result.table = report_table(report);
+    result.page = report_page(report, page_views(outcomes));
+    return result;
+}
+
+std::string report_index(const std::vector<std::pair<std::string, std::string>>& pages)
+{
+    std::vector<std::pair<std::string, Json>> parsed;
+    for (const auto& [file, json] : pages)
+        parsed.emplace_back(file, Json::parse(json));
+    return index_page(parsed);
+}
+
+} // namespace voroprobe
