@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <fstream>
 #include <string>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -159,6 +160,26 @@ void remove_unfinished_file() noexcept
 {
     if (const char* temporary = unfinished; temporary != nullptr)
         ::unlink(temporary);
+}
+
+void write_atomically(const std::filesystem::path& path, const std::function<void()>& last_look,
+                      const std::function<void(std::ostream&)>& write)
+{
+    AtomicFile file(path);
+    errno = 0;
+    try
+    {
+        std::ofstream out(file.temporary(), std::ios::binary);
+        out.exceptions(std::ios::badbit | std::ios::failbit); // the first write that fails ends it
+        write(out);
+        out.close();
+        file.commit(last_look);
+    }
+    catch (const std::ios_base::failure&)
+    {
+        throw OutputError("cannot write '" + path.string() + "': " +
+                          (errno != 0 ? std::strerror(errno) : "the file could not be written in full"));
+    }
 }
 
 } // namespace voroprobe

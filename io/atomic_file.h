@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <iosfwd>
 
 namespace voroprobe
 {
@@ -33,6 +34,11 @@ private:
     std::filesystem::path temporary_;
     bool committed_ = false;
 };
+
+//! Calls `write` with a stream that throws where it fails, then lets the file take its place. \throw
+//! OutputError with the reason; whatever `write` throws, the target being as it was.
+void write_atomically(const std::filesystem::path& path, const std::function<void()>& last_look,
+                      const std::function<void(std::ostream&)>& write);
 
 //! Removes the temporary file of an AtomicFile that lives and is not committed: for the handler of a signal
 //! that ends the process. Safe in one. Where several live at once, only that of the oldest is removed.

@@ -37,15 +37,15 @@ std::vector<std::string_view> words_of(std::string_view text)
 }
 
 //! The numbers of 0 to 255 that words[first] to words[first + 2] are.
-std::optional<LabelColor> color_of(const std::vector<std::string_view>& words, std::size_t first)
+std::optional<Color> color_of(const std::vector<std::string_view>& words, std::size_t first)
 {
-    LabelColor color{};
-    for (std::size_t i = 0; i < color.size(); ++i)
+    Color color;
+    for (std::uint8_t* channel : {&color.red, &color.green, &color.blue})
     {
-        const auto value = parse_number<int>(words[first + i]);
+        const auto value = parse_number<int>(words[first++]);
         if (!value || *value < 0 || *value > 255)
             return std::nullopt;
-        color[i] = static_cast<std::uint8_t>(*value);
+        *channel = static_cast<std::uint8_t>(*value);
     }
     return color;
 }

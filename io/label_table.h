@@ -1,24 +1,22 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "mesh/mesh_part.h"
+
 namespace voroprobe
 {
-
-//! Red, green and blue, 0 to 255.
-using LabelColor = std::array<std::uint8_t, 3>;
 
 //! What a label map's number stands for.
 struct LabelEntry
 {
     std::int64_t value;
     std::string name; //!< without quotes; may be empty
-    std::optional<LabelColor> color = std::nullopt;
+    std::optional<Color> color = std::nullopt;
 };
 
 //! Reads the names and colours of labels from a text file, one label a line, in the order of the file:

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <limits>
 #include <string_view>
@@ -94,26 +92,6 @@ WriteReport write_to_stream(const TriangleMesh& mesh, std::ostream& out, MeshFor
     const FloatRounding rounding = round_to_float(mesh);
     write_with_openmesh(rounding.mesh, out, format, comments);
     return {.vertices_nudged = rounding.vertices_nudged};
-}
-
-//! Calls `write(STREAM)` for a temporary file, then lets the file take its place.
-template <typename Writer>
-void write_atomically(const fs::path& path, const std::function<void()>& last_look, Writer write)
-{
-    AtomicFile file(path);
-    errno = 0;
-    try
-    {
-        std::ofstream out(file.temporary(), std::ios::binary);
-        out.exceptions(std::ios::badbit | std::ios::failbit); // the first write that fails ends it
-        write(out);
-        out.close();
-        file.commit(last_look);
-    }
-    catch (const std::ios_base::failure&)
-    {
-        fail(path, errno != 0 ? std::strerror(errno) : "the file could not be written in full");
-    }
 }
 
 } // namespace

@@ -11,6 +11,7 @@
 #include <itkNrrdImageIO.h>
 
 #include "io/mesh_file.h"
+#include "io/nrrd_header.h"
 #include "io/volume_bytes.h"
 #include "io/volume_formats.h"
 #include "io/volume_itk.h"
@@ -22,48 +23,12 @@ namespace voroprobe
 namespace
 {
 
-//! Headers end with an empty line; ones longer than this do not occur.
-constexpr std::size_t kMaxHeaderBytes = 1U << 16U;
-
-//! Fields of the header as "name: value" lines.
-std::vector<std::string> header_lines(const std::filesystem::path& path)
-{
-    std::istringstream head(read_head(path, kMaxHeaderBytes));
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(head, line);)
-    {
-        if (!line.empty() && line.back() == '\r')
-            line.pop_back();
-        if (line.empty())
-            break;
-        lines.push_back(line);
-    }
-    if (lines.empty() || !lines.front().starts_with("NRRD"))
-        throw InputError("is not a NRRD file: expected it to begin with \"NRRD\"");
-    return lines;
-}
-
-std::string trimmed(const std::string& text)
-{
-    const std::size_t first = text.find_first_not_of(" \t");
-    return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") + 1 - first);
-}
-
-//! What follows "name:"; empty where the field is missing.
-std::string field(const std::vector<std::string>& lines, const std::string& name)
-{
-    for (const std::string& line : lines)
-        if (line.starts_with(name + ':'))
-            return line.substr(name.size() + 1);
-    return {};
-}
-
 //! False also where the spacing along an axis of space is "nan", which stands for unknown.
 bool gives_spacing(const std::vector<std::string>& lines)
 {
-    if (!field(lines, "space directions").empty())
+    if (!nrrd_field(lines, "space directions").empty())
         return true;
-    std::istringstream words(field(lines, "spacings"));
+    std::istringstream words(nrrd_field(lines, "spacings"));
     std::size_t known = 0;
     for (std::string word; known < 3 && words >> word; ++known)
         if (!std::isfinite(std::strtod(word.c_str(), nullptr)))
@@ -87,8 +52,8 @@ std::vector<std::string> unit_warnings(const std::vector<std::string>& lines)
 {
     constexpr std::array<std::string_view, 7> kNoOther{
         "", "???", "mm", "millimeter", "millimeters", "millimetre", "millimetres"};
-    const bool in_space = !field(lines, "space directions").empty();
-    std::vector<std::string> units = quoted_words(field(lines, in_space ? "space units" : "units"));
+    const bool in_space = !nrrd_field(lines, "space directions").empty();
+    std::vector<std::string> units = quoted_words(nrrd_field(lines, in_space ? "space units" : "units"));
     units.resize(std::min<std::size_t>(units.size(), 3)); // a fourth axis is of time or of frames
     for (const std::string& unit : units)
         if (std::find(kNoOther.begin(), kNoOther.end(), unit) == kNoOther.end())
@@ -100,7 +65,7 @@ std::vector<std::string> unit_warnings(const std::vector<std::string>& lines)
 //! Refuses sizes that are no whole numbers from 1 on, or whose product is beyond all memory.
 void require_sizes(const std::vector<std::string>& lines)
 {
-    const std::string sizes = field(lines, "sizes");
+    const std::string sizes = nrrd_field(lines, "sizes");
     std::istringstream words(sizes);
     std::int64_t samples = 1;
     bool fits = true;
@@ -114,7 +79,7 @@ void require_sizes(const std::vector<std::string>& lines)
         fits = fits && !too_large && !__builtin_mul_overflow(samples, *size, &samples);
     }
     if (!fits)
-        throw InputError("the header gives the sizes " + in_quotes(trimmed(sizes)) +
+        throw InputError("the header gives the sizes " + in_quotes(trimmed_of_blanks(sizes)) +
                          ", more samples than any memory holds, expected fewer than 2^63");
 }
 
@@ -139,23 +104,36 @@ void require_plausible_length(const std::filesystem::path& path, const std::vect
     require_bytes(source, static_cast<std::uint64_t>(image_io.GetImageSizeInBytes()));
 }
 
+//! Refuses what 3D Slicer writes for a segmentation without segments: an image of one voxel.
+void require_a_segment(const std::vector<std::string>& lines, const itk::ImageIOBase& image_io)
+{
+    if (is_segmentation(lines) && image_io.GetImageSizeInPixels() == 1)
+        throw InputError(
+            "holds no segments: its one voxel stands for no data, expected a segmentation that is "
+            "not empty");
+}
+
 } // namespace
 
 StoredVolume read_nrrd(const std::filesystem::path& path, const ReadOptions& options)
 {
-    const std::vector<std::string> lines = header_lines(path);
+    const std::vector<std::string> lines = nrrd_header_lines(path);
     require_sizes(lines);
     const auto image_io = itk::NrrdImageIO::New();
     read_itk_header(*image_io, path);
 
     StoredVolume volume{.lattice = itk_lattice(*image_io), .format = "NRRD"};
-    volume.stored_type = stored_type_name(itk_stored_type(*image_io));
+    const bool has_layers = is_segmentation(lines) && image_io->GetNumberOfComponents() > 1;
+    require_a_segment(lines, *image_io);
+    volume.stored_type =
+        stored_type_name(has_layers ? itk_component_type(*image_io) : itk_stored_type(*image_io));
     volume.has_spacing = gives_spacing(lines);
     if (!options.spacing)
         volume.warnings = unit_warnings(lines);
     if (image_io->GetImageSizeInBytes() > 0)
         require_plausible_length(path, lines, *image_io);
-    volume.samples = read_itk_samples(*image_io, options.frame, volume.warnings);
+    volume.samples = has_layers ? read_itk_component(*image_io, options.frame, volume.warnings)
+                                : read_itk_samples(*image_io, options.frame, volume.warnings);
     return volume;
 }
 

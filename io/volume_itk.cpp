@@ -129,6 +129,11 @@ StoredType itk_stored_type(const itk::ImageIOBase& image_io)
     if (image_io.GetNumberOfComponents() != 1)
         throw InputError("has " + std::to_string(image_io.GetNumberOfComponents()) +
                          " values in each sample (a vector or color image), expected one");
+    return itk_component_type(image_io);
+}
+
+StoredType itk_component_type(const itk::ImageIOBase& image_io)
+{
     using Component = itk::IOComponentEnum;
     const auto component = image_io.GetComponentType();
     switch (component)
@@ -153,6 +158,27 @@ StoredType itk_stored_type(const itk::ImageIOBase& image_io)
         throw InputError("has samples of type " + itk::ImageIOBase::GetComponentTypeAsString(component) +
                          ", expected integers or floating-point numbers of 8 to 64 bits");
     }
+}
+
+SampleArray read_itk_component(itk::ImageIOBase& image_io, const std::optional<std::size_t>& frame,
+                               std::vector<std::string>& warnings)
+{
+    const StoredType type = itk_component_type(image_io);
+    const std::size_t components = image_io.GetNumberOfComponents();
+    const std::size_t count = require_sane_size(dimensions(image_io), components * byte_size(type));
+    const std::size_t chosen = choose_frame(components, frame);
+    return decode_samples(
+        {.type = type}, count,
+        [&](std::span<std::byte> to)
+        {
+            const std::size_t size = byte_size(type);
+            std::vector<std::byte> pixels(components * to.size());
+            read_whole_image(image_io, pixels);
+            for (std::size_t i = 0; i < count; ++i)
+                std::copy_n(pixels.begin() + static_cast<std::ptrdiff_t>((i * components + chosen) * size),
+                            size, to.begin() + static_cast<std::ptrdiff_t>(i * size));
+        },
+        warnings);
 }
 
 SampleArray read_itk_samples(itk::ImageIOBase& image_io, const std::optional<std::size_t>& frame,

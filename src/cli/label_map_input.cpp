@@ -1,6 +1,8 @@
 #include "cli/label_map_input.h"
 
+#include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "cli/label_ranges.h"
@@ -19,12 +21,14 @@ void refuse_with_labels(bool given, const std::string& option)
         throw UsageError(option + " does not go with --labels");
 }
 
-std::vector<LabelValue> values_of(const LabelSurvey& survey)
+//! Of all layers, ascending.
+std::vector<LabelValue> values_of(const LabelMap& map)
 {
-    std::vector<LabelValue> values;
-    for (const SurveyedLabel& label : survey.labels())
-        values.push_back(label.value);
-    return values;
+    std::set<LabelValue> values;
+    for (const LabelSurvey& layer : map.layers)
+        for (const SurveyedLabel& label : layer.labels())
+            values.insert(label.value);
+    return {values.begin(), values.end()};
 }
 
 void require_among(const LabelRanges& ranges, const std::string& option, const std::vector<LabelValue>& there)
@@ -34,13 +38,87 @@ void require_among(const LabelRanges& ranges, const std::string& option, const s
                          ", which the label map does not have; allowed: " + labels_text(there));
 }
 
-std::map<LabelValue, LabelEntry> table_of(const LabelArguments& arguments)
+//! What the labels are called: a table that the user gives counts more than the file's own.
+class NameTable
 {
-    std::map<LabelValue, LabelEntry> table;
-    if (arguments.names)
-        for (LabelEntry& entry : read_label_table(*arguments.names))
-            table.emplace(entry.value, std::move(entry));
-    return table;
+public:
+    NameTable(const LabelArguments& arguments, const std::vector<Segment>& segments)
+    {
+        for (const Segment& segment : segments)
+            of_segments_.emplace(std::pair{segment.layer, segment.entry.value}, segment.entry);
+        if (arguments.names)
+            for (LabelEntry& entry : read_label_table(*arguments.names))
+                of_table_.emplace(entry.value, std::move(entry));
+    }
+
+    void name(LabelOutcome& label) const
+    {
+        label.name = "label_" + std::to_string(label.value);
+        if (const auto segment = of_segments_.find({label.layer, label.value}); segment != of_segments_.end())
+            apply(segment->second, label);
+        if (const auto entry = of_table_.find(label.value); entry != of_table_.end())
+            apply(entry->second, label);
+    }
+
+private:
+    static void apply(const LabelEntry& entry, LabelOutcome& label)
+    {
+        label.name = entry.name.empty() ? label.name : entry.name;
+        label.color = entry.color ? entry.color : label.color;
+    }
+
+    std::map<std::pair<std::size_t, LabelValue>, LabelEntry> of_segments_;
+    std::map<LabelValue, LabelEntry> of_table_;
+};
+
+//! The segments of the file; of the layer that the user chose, if one was chosen, as those of layer 0.
+std::vector<Segment> segments_of(const MeshArguments& arguments)
+{
+    std::vector<Segment> segments = read_segments(arguments.input);
+    if (const auto chosen = arguments.read.frame)
+    {
+        std::erase_if(segments, [&](const Segment& segment) { return segment.layer != *chosen; });
+        for (Segment& segment : segments)
+            segment.layer = 0;
+    }
+    return segments;
+}
+
+//! Layers that the segments lie in; at least one.
+std::size_t count_layers(const std::vector<Segment>& segments)
+{
+    std::size_t layers = 1;
+    for (const Segment& segment : segments)
+        layers = std::max(layers, segment.layer + 1);
+    return layers;
+}
+
+//! Of segments that the file names and that have no voxel.
+std::vector<std::string> empty_segment_warnings(const LabelMap& map)
+{
+    std::vector<std::string> warnings;
+    for (const Segment& segment : map.segments)
+    {
+        const auto& labels = map.layers[segment.layer].labels();
+        if (std::none_of(labels.begin(), labels.end(),
+                         [&](const SurveyedLabel& label) { return label.value == segment.entry.value; }))
+            warnings.push_back("segment '" + segment.entry.name + "' (label " +
+                               std::to_string(segment.entry.value) +
+                               ") has no voxels: there is no mesh of it");
+    }
+    return warnings;
+}
+
+LabelSurvey survey_of(const Volume& volume, const std::filesystem::path& path)
+{
+    try
+    {
+        return LabelSurvey(volume);
+    }
+    catch (const InputError& error)
+    {
+        throw InputError(path.string() + ": " + error.what());
+    }
 }
 
 } // namespace
@@ -75,31 +153,36 @@ void check_label_arguments(const MeshArguments& arguments)
 
 LabelMap read_label_map(const MeshArguments& arguments)
 {
-    ReadVolume read = read_volume(arguments.input, arguments.read);
-    const GridGeometry& geometry = read.volume.geometry;
-    const GridPlacement placement{geometry.world_from_grid, geometry.source_index_from_grid};
-    try
+    LabelMap map;
+    map.segments = segments_of(arguments);
+    const std::size_t layers = count_layers(map.segments);
+    for (std::size_t layer = 0; layer < layers; ++layer)
     {
-        LabelMap map{.survey = LabelSurvey(read.volume),
-                     .spacing = geometry.spacing,
-                     .placement = placement,
-                     .lattice = file_lattice(geometry.size, placement),
-                     .format = std::move(read.format),
-                     .stored_type = std::move(read.stored_type),
-                     .warnings = std::move(read.warnings)};
-        if (map.survey.labels().empty())
-            throw EmptySurfaceError("no label: all samples are 0, the background");
-        return map;
+        ReadOptions options = arguments.read;
+        if (layers > 1)
+            options.frame = layer;
+        ReadVolume read = read_volume(arguments.input, options);
+        map.layers.push_back(survey_of(read.volume, arguments.input));
+        if (layer > 0)
+            continue;
+        const GridGeometry& geometry = read.volume.geometry;
+        map.spacing = geometry.spacing;
+        map.placement = {geometry.world_from_grid, geometry.source_index_from_grid};
+        map.lattice = file_lattice(geometry.size, map.placement);
+        map.format = std::move(read.format);
+        map.stored_type = std::move(read.stored_type);
+        map.warnings = std::move(read.warnings);
     }
-    catch (const InputError& error)
-    {
-        throw InputError(arguments.input.string() + ": " + error.what());
-    }
+    for (std::string& warning : empty_segment_warnings(map))
+        map.warnings.push_back(std::move(warning));
+    if (map.label_count() == 0)
+        throw EmptySurfaceError("no label: all samples are 0, the background");
+    return map;
 }
 
 std::vector<LabelOutcome> chosen_labels(const MeshArguments& arguments, const LabelMap& map)
 {
-    const std::vector<LabelValue> there = values_of(map.survey);
+    const std::vector<LabelValue> there = values_of(map);
     const LabelRanges wanted("--labels", arguments.label_map.labels.value());
     require_among(wanted, "--labels", there);
     std::optional<LabelRanges> unwanted;
@@ -108,26 +191,24 @@ std::vector<LabelOutcome> chosen_labels(const MeshArguments& arguments, const La
         unwanted.emplace("--exclude", *arguments.label_map.exclude);
         require_among(*unwanted, "--exclude", there);
     }
-    const std::map<LabelValue, LabelEntry> table = table_of(arguments.label_map);
+    const NameTable names(arguments.label_map, map.segments);
     std::vector<LabelOutcome> chosen;
-    for (std::uint32_t place = 0; place < there.size(); ++place)
-    {
-        const SurveyedLabel& label = map.survey.labels()[place];
-        if (!wanted.contains(label.value) || (unwanted && unwanted->contains(label.value)))
-            continue;
-        LabelOutcome outcome{.value = label.value,
-                             .name = "label_" + std::to_string(label.value),
-                             .voxels = label.voxels,
-                             .parts_expected = label.parts.size(),
-                             .path = {}};
-        outcome.mesh.label = place;
-        if (const auto entry = table.find(label.value); entry != table.end())
+    for (std::size_t layer = 0; layer < map.layers.size(); ++layer)
+        for (std::uint32_t place = 0; place < map.layers[layer].labels().size(); ++place)
         {
-            outcome.name = entry->second.name.empty() ? outcome.name : entry->second.name;
-            outcome.color = entry->second.color;
+            const SurveyedLabel& label = map.layers[layer].labels()[place];
+            if (!wanted.contains(label.value) || (unwanted && unwanted->contains(label.value)))
+                continue;
+            LabelOutcome outcome{.layer = layer,
+                                 .value = label.value,
+                                 .name = {},
+                                 .voxels = label.voxels,
+                                 .parts_expected = label.parts.size(),
+                                 .path = {}};
+            outcome.mesh.label = place;
+            names.name(outcome);
+            chosen.push_back(std::move(outcome));
         }
-        chosen.push_back(std::move(outcome));
-    }
     if (chosen.empty())
         throw UsageError("--exclude leaves none of the labels; there are: " + labels_text(there));
     return chosen;

@@ -2,14 +2,13 @@
 
 #include <iostream>
 #include <map>
-#include <set>
 #include <thread>
 
 #include "cli/label_map_input.h"
+#include "cli/label_output.h"
 #include "cli/labels_report.h"
 #include "cli/labels_run.h"
 #include "cli/mesh_defaults.h"
-#include "cli/output_pattern.h"
 #include "cli/summary.h"
 #include "cli/warnings.h"
 #include "io/mesh_writer.h"
@@ -21,8 +20,6 @@ namespace voroprobe
 {
 namespace
 {
-
-namespace fs = std::filesystem;
 
 constexpr double kDefaultSigmaInMeanSides = 1.0;
 
@@ -37,38 +34,6 @@ MeshFormat check_pattern(const MeshArguments& arguments)
     return format;
 }
 
-void name_outputs(const MeshArguments& arguments, std::vector<LabelOutcome>& labels)
-{
-    if (!is_output_pattern(arguments.output) && labels.size() > 1)
-        throw UsageError("--output is '" + arguments.output.string() + "' for " + count_text(labels.size()) +
-                         " labels; allowed: a pattern with {name} or {label}, such as out/{name}.stl");
-    std::vector<PatternValues> values;
-    values.reserve(labels.size());
-    for (const LabelOutcome& label : labels)
-        values.push_back({std::to_string(label.value), label.name});
-    const std::vector<fs::path> paths = expand_pattern(arguments.output, values);
-    for (std::size_t i = 0; i < labels.size(); ++i)
-        labels[i].path = paths[i];
-}
-
-//! Makes folders that are not there, and tries whether the outputs can be written to them.
-void prepare_outputs(const std::vector<LabelOutcome>& labels)
-{
-    std::set<fs::path> folders;
-    for (const LabelOutcome& label : labels)
-    {
-        const fs::path folder = label.path.parent_path();
-        if (!folders.insert(folder).second)
-            continue;
-        std::error_code error;
-        if (!folder.empty() && !fs::exists(folder))
-            fs::create_directories(folder, error);
-        if (error)
-            throw OutputError("cannot make the folder '" + folder.string() + "': " + error.message());
-        check_writable(label.path);
-    }
-}
-
 LabelMeshingOptions options_of(const MeshArguments& arguments, const LabelMap& map)
 {
     const VoxelScale voxel = voxel_scale(map.placement.source_index_from_grid);
@@ -81,38 +46,34 @@ LabelMeshingOptions options_of(const MeshArguments& arguments, const LabelMap& m
     return options;
 }
 
-std::vector<std::string> comments_for(const LabelsRun& run, const LabelOutcome& label)
-{
-    return {std::string("voroprobe ") + VOROPROBE_VERSION,
-            "unit: " + std::string(frame_unit(run.arguments.frame)),
-            "frame: " + std::string(frame_name(run.arguments.frame)), "label: " + std::to_string(label.value),
-            "name: " + label.name};
-}
-
-//! Meshes all labels and writes each when it is done.
-void mesh_and_write(LabelsRun& run, MeshFormat format, ProgressSink& progress)
+//! Meshes all labels, layer by layer, and hands each over to the output when it is done.
+void mesh_and_write(LabelsRun& run, LabelOutput& output, ProgressSink& progress)
 {
     const Stopwatch clock;
-    std::vector<std::uint32_t> places;
-    std::map<std::uint32_t, LabelOutcome*> outcome_at;
-    for (LabelOutcome& label : run.labels)
-    {
-        places.push_back(label.mesh.label);
-        outcome_at.emplace(label.mesh.label, &label);
-    }
     const AffineTransform to_output = output_from_grid(run.arguments.frame, run.map.placement);
-    mesh_labels(run.map.survey, places, run.map.spacing, run.options, run.threads, &progress,
-                [&](LabelMesh mesh)
-                {
-                    LabelOutcome& label = *outcome_at.at(mesh.label);
-                    label.vertices = mesh.mesh.vertices.size();
-                    label.faces = mesh.mesh.faces.size();
-                    transform(mesh.mesh, to_output);
-                    write_mesh(mesh.mesh, label.path, format, comments_for(run, label));
-                    mesh.mesh = {};
-                    label.mesh = std::move(mesh);
-                    label.done = true;
-                });
+    for (std::size_t layer = 0; layer < run.map.layers.size(); ++layer)
+    {
+        std::vector<std::uint32_t> places;
+        std::map<std::uint32_t, LabelOutcome*> outcome_at;
+        for (LabelOutcome& label : run.labels)
+            if (label.layer == layer)
+            {
+                places.push_back(label.mesh.label);
+                outcome_at.emplace(label.mesh.label, &label);
+            }
+        mesh_labels(run.map.layers[layer], places, run.map.spacing, run.options, run.threads, &progress,
+                    [&](LabelMesh mesh)
+                    {
+                        LabelOutcome& label = *outcome_at.at(mesh.label);
+                        label.vertices = mesh.mesh.vertices.size();
+                        label.faces = mesh.mesh.faces.size();
+                        transform(mesh.mesh, to_output);
+                        output.take(label, std::move(mesh.mesh));
+                        label.mesh = std::move(mesh);
+                        label.done = true;
+                    });
+    }
+    output.finish();
     run.timings.refinement = clock.seconds();
 }
 
@@ -129,8 +90,6 @@ void run_labels_command(const MeshArguments& arguments)
     progress->report({.phase = "read"});
     LabelMap map = read_label_map(arguments);
     std::vector<LabelOutcome> labels = chosen_labels(arguments, map);
-    name_outputs(arguments, labels);
-    prepare_outputs(labels);
     print_warnings(map.warnings);
     const LabelMeshingOptions options = options_of(arguments, map);
     LabelsRun run{.arguments = arguments,
@@ -139,8 +98,10 @@ void run_labels_command(const MeshArguments& arguments)
                   .threads = arguments.threads.value_or(std::max(1U, std::thread::hardware_concurrency())),
                   .labels = std::move(labels),
                   .timings = {}};
+    LabelOutput output(arguments, format, run.labels);
+    output.prepare();
     run.timings.read = clock.seconds();
-    mesh_and_write(run, format, *progress);
+    mesh_and_write(run, output, *progress);
     run.timings.total = clock.seconds();
     progress.reset(); // wipes the bar
     if (arguments.summary)

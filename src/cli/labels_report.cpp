@@ -161,14 +161,20 @@ std::string labels_table(const LabelsRun& run)
     return text;
 }
 
+Json color_json(const std::optional<Color>& color)
+{
+    return color ? Json{color->red, color->green, color->blue} : Json(nullptr);
+}
+
 Json label_json(const LabelOutcome& label)
 {
     Json faults = Json::array();
     for (const PartFault& fault : label.mesh.faults)
         faults.push_back(fault.reason);
-    return {{"label", label.value},
+    return {{"layer", label.layer},
+            {"label", label.value},
             {"name", label.name},
-            {"color", label.color ? Json(*label.color) : Json(nullptr)},
+            {"color", color_json(label.color)},
             {"path", label.path.string()},
             {"status", label.mesh.complete() ? "done" : "incomplete"},
             {"parts_expected", label.parts_expected},
@@ -216,8 +222,7 @@ std::string labels_report(const LabelsRun& run)
     return info_line("input", run.arguments.input.string()) +
            info_line("", size_text(run.map.lattice.size) + " voxels of " +
                              triple_text(run.map.lattice.spacing) + " mm, " + run.map.stored_type + " (" +
-                             run.map.format + "), " + count_text(run.map.survey.labels().size()) +
-                             " labels") +
+                             run.map.format + "), " + count_text(run.map.label_count()) + " labels") +
            info_line("smoothing", smoothing_text(run.options.smoothing)) +
            info_line("criteria", criteria_text(run.options.criteria)) + labels_table(run) + '\n' +
            info_line("labels", count_text(run.labels.size()) + " meshed, " + count_text(sum.incomplete) +
@@ -257,8 +262,9 @@ std::string labels_summary_json(const LabelsRun& run)
           {"format", run.map.format},
           {"size", run.map.lattice.size},
           {"type", run.map.stored_type},
-          {"labels", run.map.survey.labels().size()},
-          {"parts", run.map.survey.parts().size()},
+          {"layers", run.map.layers.size()},
+          {"labels", run.map.label_count()},
+          {"parts", run.map.part_count()},
           {"warnings", run.map.warnings}}},
         {"parameters", parameters_json(run)},
         {"totals",

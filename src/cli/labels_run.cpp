@@ -1,6 +1,7 @@
 #include "cli/labels_run.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "cli/number_text.h"
 #include "support/error.h"
@@ -20,6 +21,20 @@ std::string fault_text(const LabelOutcome& label)
 }
 
 } // namespace
+
+std::size_t LabelMap::label_count() const
+{
+    return std::accumulate(layers.begin(), layers.end(), std::size_t{0},
+                           [](std::size_t sum, const LabelSurvey& layer)
+                           { return sum + layer.labels().size(); });
+}
+
+std::size_t LabelMap::part_count() const
+{
+    return std::accumulate(layers.begin(), layers.end(), std::size_t{0},
+                           [](std::size_t sum, const LabelSurvey& layer)
+                           { return sum + layer.parts().size(); });
+}
 
 bool LabelsRun::complete() const
 {

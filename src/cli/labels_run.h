@@ -11,6 +11,7 @@
 #include "cli/mesh_run.h"
 #include "cli/output_frame.h"
 #include "io/label_table.h"
+#include "io/nrrd_segments.h"
 #include "labels/group_meshing.h"
 #include "labels/label_meshing.h"
 #include "labels/label_survey.h"
@@ -21,9 +22,10 @@ namespace voroprobe
 //! One of the labels asked for: what is known before it is meshed, and what became of it.
 struct LabelOutcome
 {
+    std::size_t layer = 0;
     LabelValue value;
     std::string name; //!< "label_7" where nobody named it
-    std::optional<LabelColor> color = std::nullopt;
+    std::optional<Color> color = std::nullopt;
     std::size_t voxels = 0;
     std::size_t parts_expected = 0;
     std::filesystem::path path;
@@ -37,13 +39,17 @@ struct LabelOutcome
 //! A label map as it was read.
 struct LabelMap
 {
-    LabelSurvey survey;
-    Vec3 spacing; //!< grid frame, mm
+    std::vector<LabelSurvey> layers; //!< one but for segments that overlap; their numbers are their own
+    std::vector<Segment> segments;   //!< what the file tells of them
+    Vec3 spacing;                    //!< grid frame, mm
     GridPlacement placement;
     FileLattice lattice;
     std::string format;
     std::string stored_type;
     std::vector<std::string> warnings;
+
+    [[nodiscard]] std::size_t label_count() const;
+    [[nodiscard]] std::size_t part_count() const;
 };
 
 //! Everything the report and the summary tell of one run of `voroprobe mesh --labels`.
@@ -53,7 +59,7 @@ struct LabelsRun
     LabelMap map;
     LabelMeshingOptions options;
     std::size_t threads;              //!< that were used
-    std::vector<LabelOutcome> labels; //!< by ascending value
+    std::vector<LabelOutcome> labels; //!< by layer and ascending value
     RunTimings timings;
 
     [[nodiscard]] bool complete() const;

@@ -70,7 +70,8 @@ std::vector<std::filesystem::path> expand_pattern(const std::filesystem::path& p
         if (!is_new)
             throw UsageError("--output '" + pattern.string() + "' gives '" + path + "' for label " +
                              known->second + " and for label " + value.label +
-                             ": one would overwrite the other; allowed: a pattern with {label}");
+                             ": one would overwrite the other; allowed: a pattern that tells them apart by "
+                             "{label} and {name}");
         paths.emplace_back(path);
     }
     return paths;

@@ -83,8 +83,10 @@ public:
             if (!best || attempt.better_than(*best))
                 best = std::move(attempt);
         };
+        NeckRule neck_rule = NeckRule::kRaiseOutside;
         for (std::size_t seeds = kFirstSeeds; seeds <= kMostSeeds; seeds *= kMoreSeeds)
         {
+            field_.set_neck_rule(std::exchange(neck_rule, NeckRule::kLiftInside));
             Attempt attempt = mesh_field(seeds);
             if (attempt.status != MeshingStatus::kDone)
                 return result_of(std::move(attempt));

@@ -21,12 +21,20 @@ constexpr float kFar = 0.5F;
 //! third of a voxel wide, well above the floor of refinement.
 constexpr double kLeastHeight = 0.1;
 
+//! No sample is farther outside: smoothing gives no more, and what is lifted for it stays within bounds.
+constexpr double kMostDepth = 0.5;
+
+//! A sample between two of the other side along an axis is at least so far from 0, in heights of theirs:
+//! walls and gaps of one voxel are then meshed half a voxel wide or wider, also where they are one voxel
+//! long.
+constexpr float kLeastShareOfThin = 1.0F / 3.0F;
+
 //! Corners inside must stay joined if all corners outside were so many times farther from 0: where parts of a
 //! label touch at edges or corners of voxels, the neck between them is then about half a voxel wide.
-constexpr double kNeckMargin = 2.0;
+constexpr double kNeckMargin = 1.4;
 
-//! How much nearer to 0 the corners outside are moved at a time.
-constexpr double kNeckStep = 0.8;
+//! Heights are changed for a neck by this factor at a time.
+constexpr double kNeckStep = 1.2;
 
 //! Of `voxels joined by edges of the grid cell`: corner -> the lowest corner of its piece.
 CornerParts joined_by_edges(const CellCorners& corners)
@@ -64,16 +72,38 @@ CellCorners with_outside_scaled(CellCorners corners, double factor)
     return corners;
 }
 
-//! What the corners outside have to be multiplied by, at most 1.
-double neck_factor(const CellCorners& corners)
+//! Corners inside at least `least` from 0, corners outside at most `most`.
+CellCorners bounded(CellCorners corners, double least, double most)
 {
-    constexpr int kMostSteps = 100; // far more than the range of heights can need
+    for (double& height : corners)
+        height = height < 0.0 ? std::max(height, -most) : std::max(height, least);
+    return corners;
+}
+
+//! The heights, changed by the rule until it joins corners as voxels are joined.
+CellCorners joined_as_voxels(const CellCorners& corners, NeckRule rule)
+{
+    // Where all corners inside are three times as far from 0 as those outside, any two of them are joined.
+    constexpr double kSurelyJoined = 4.0;
     const CornerParts by_edges = joined_by_edges(corners);
-    double factor = 1.0;
-    for (int step = 0; step < kMostSteps; ++step, factor *= kNeckStep)
-        if (joins_as_voxels(with_outside_scaled(corners, factor * kNeckMargin), by_edges))
-            break;
-    return factor;
+    double outside = 0.0;
+    double inside = std::numeric_limits<double>::infinity();
+    for (const double height : corners)
+        if (height < 0.0)
+            outside = std::max(outside, -height);
+        else
+            inside = std::min(inside, height);
+    CellCorners changed = corners;
+    while (!joins_as_voxels(with_outside_scaled(changed, kNeckMargin), by_edges))
+    {
+        CHECK_LE(inside, kSurelyJoined * kNeckMargin * outside);
+        if (rule == NeckRule::kRaiseOutside)
+            outside /= kNeckStep;
+        else
+            inside *= kNeckStep;
+        changed = bounded(corners, inside, outside);
+    }
+    return changed;
 }
 
 //! The share of a grid cell with heights >= 0: exact along z, midpoints across it.
@@ -217,9 +247,31 @@ void PartField::apply_shifts()
         const double shift = part != 0 ? shifts_[part - 1] : static_cast<double>(height);
         const double shifted = static_cast<double>(band.smoothed) + shift;
         height = static_cast<float>(part != 0 ? std::max(shifted, kLeastHeight)
-                                              : std::min(shifted, -kLeastHeight));
+                                              : std::clamp(shifted, -kMostDepth, -kLeastHeight));
     }
+    thicken_thin_samples();
     join_as_voxels();
+}
+
+void PartField::thicken_thin_samples()
+{
+    const std::array<std::size_t, 3> stride{1, mask_.size[0], mask_.size[0] * mask_.size[1]};
+    for (const BandSample& band : band_)
+    {
+        float& height = heights_[band.sample];
+        for (const std::size_t step : stride)
+        {
+            if (band.sample < step || band.sample + step >= heights_.size())
+                continue; // the margin
+            const float before = heights_[band.sample - step];
+            const float after = heights_[band.sample + step];
+            if ((before > 0.0F) != (height > 0.0F) && (after > 0.0F) != (height > 0.0F))
+                height =
+                    std::copysign(std::max(std::abs(height),
+                                           kLeastShareOfThin * std::max(std::abs(before), std::abs(after))),
+                                  height);
+        }
+    }
 }
 
 //! Moving heights up can only join samples inside and part samples outside, so that one pass settles all.
@@ -232,10 +284,9 @@ void PartField::join_as_voxels()
         CellCorners corners{};
         for (std::size_t c = 0; c < corners.size(); ++c)
             corners[c] = static_cast<double>(heights_[corner(cell, c)]);
-        const double factor = neck_factor(corners);
+        const CellCorners joined = joined_as_voxels(corners, neck_rule_);
         for (std::size_t c = 0; c < corners.size(); ++c)
-            if (corners[c] < 0.0)
-                heights_[corner(cell, c)] = static_cast<float>(factor * corners[c]);
+            heights_[corner(cell, c)] = static_cast<float>(joined[c]);
     }
 }
 
@@ -252,6 +303,13 @@ void PartField::measure()
     }
     for (double& volume : volumes_)
         volume *= spacing_.x * spacing_.y * spacing_.z;
+}
+
+void PartField::set_neck_rule(NeckRule rule)
+{
+    neck_rule_ = rule;
+    apply_shifts();
+    measure();
 }
 
 void PartField::fit_volumes(std::span<const double> wanted)

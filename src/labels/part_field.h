@@ -11,13 +11,22 @@
 namespace voroprobe
 {
 
+//! How samples that touch at edges or corners of voxels are joined, where smoothing does not: both keep all
+//! parts and cavities.
+enum class NeckRule
+{
+    kRaiseOutside, //!< samples outside come nearer to 0: slim necks, but gaps and cavities beside them may
+                   //!< get small
+    kLiftInside    //!< samples inside get farther from 0: gaps stay open, small parts may get too large
+};
+
 //! A field whose zero set encloses the parts of a mask, each by itself, whatever smoothing made of them.
 //!
 //! - Every sample stays on its side: heights of the wrong sign, or too near to 0 to be meshed, are put right.
 //!   So the surface passes between the samples inside and those outside, and no part, however thin, is lost.
 //! - Parts and cavities are those of the mask: samples inside are joined through faces, edges and corners of
 //!   voxels (26 neighbours), samples outside through faces (6). Where the trilinear interpolant joins samples
-//!   otherwise, the heights outside are moved towards 0. Then each part has one outer surface.
+//!   otherwise, the neck rule joins them. Then each part has one outer surface.
 //! - Every part has a height of its own added, so that it can be given a volume.
 class PartField
 {
@@ -28,6 +37,9 @@ public:
 
     [[nodiscard]] std::size_t part_count() const { return mask_.part_count; }
     [[nodiscard]] const PartMask& mask() const { return mask_; }
+
+    //! At first kRaiseOutside. Keeps the shifts.
+    void set_neck_rule(NeckRule rule);
 
     //! Parts of the mask without any sample that smoothing left inside.
     [[nodiscard]] std::size_t parts_restored() const { return parts_restored_; }
@@ -62,6 +74,7 @@ private:
     void count_restored(std::span<const float> smoothed);
     void apply_shifts();
     void shift_outside_samples();
+    void thicken_thin_samples();
     void join_as_voxels();
     void measure();
     [[nodiscard]] std::size_t corner(const MixedCell& cell, std::size_t c) const
@@ -78,6 +91,7 @@ private:
     std::vector<double> shifts_;           //!< by part
     std::vector<float> heights_;
     std::vector<double> volumes_; //!< by part
+    NeckRule neck_rule_ = NeckRule::kRaiseOutside;
     std::size_t parts_restored_ = 0;
 };
 

@@ -113,6 +113,17 @@ TEST_F(LabelsTest, what_cannot_be_meant_is_refused_before_anything_is_written)
     expect_refused({"--labels", "all", "--names", folder_ / "names.txt"}, {"overwrite", "{label}"});
 }
 
+TEST_F(LabelsTest, all_labels_go_to_one_file_of_a_format_that_keeps_them_apart)
+{
+    for (const std::string output : {"all.obj", "all.ply", "all.3mf"})
+    {
+        ASSERT_EQ(mesh({"--labels", "all"}, output).status, 0);
+        const TriangleMesh read = weld(read_mesh(folder_ / output));
+        EXPECT_EQ(count_components(read), 4U) << output;
+    }
+    EXPECT_NE(program::read_text(folder_ / "all.obj").find("g label_7 label_7\n"), std::string::npos);
+}
+
 TEST_F(LabelsTest, a_scan_is_not_taken_for_a_label_map)
 {
     const Outcome outcome =

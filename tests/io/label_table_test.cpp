@@ -34,7 +34,7 @@ TEST_F(LabelTable, reads_label_descriptions_of_itk_snap)
     ASSERT_EQ(table.size(), 2U);
     EXPECT_EQ(table[1].value, 1);
     EXPECT_EQ(table[1].name, "Left kidney");
-    EXPECT_EQ(table[1].color, (LabelColor{255, 0, 10}));
+    EXPECT_EQ(table[1].color, (Color{255, 0, 10}));
 }
 
 TEST_F(LabelTable, reads_look_up_tables_of_freesurfer_and_slicer)
@@ -44,7 +44,7 @@ TEST_F(LabelTable, reads_look_up_tables_of_freesurfer_and_slicer)
                                 "18  region with blanks                      103 255 255 255\n");
     ASSERT_EQ(table.size(), 2U);
     EXPECT_EQ(table[0].name, "Left-Hippocampus");
-    EXPECT_EQ(table[0].color, (LabelColor{220, 216, 20}));
+    EXPECT_EQ(table[0].color, (Color{220, 216, 20}));
     EXPECT_EQ(table[1].name, "region with blanks");
 }
 
