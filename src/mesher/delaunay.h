@@ -80,6 +80,15 @@ inline std::array<Point3, 4> corner_positions(DelaunayCell delaunay_cell)
             position(delaunay_cell->vertex(2)), position(delaunay_cell->vertex(3))};
 }
 
+//! Has the memory of a cell fetched that is looked at soon.
+inline void prefetch(DelaunayCell delaunay_cell)
+{
+    constexpr std::size_t kCacheLineBytes = 64;
+    const char* begin = reinterpret_cast<const char*>(&*delaunay_cell);
+    for (std::size_t offset = 0; offset < sizeof(*delaunay_cell); offset += kCacheLineBytes)
+        __builtin_prefetch(begin + offset);
+}
+
 //! Whether the circumcenter lies inside; the Delaunay cell then counts as inside.
 inline bool inside(DelaunayCell delaunay_cell)
 {

@@ -91,6 +91,9 @@ struct MeshingOptions
     //! Keep the faces that close the object where it leaves the domain.
     bool close_border = true;
 
+    //! Threads that refine side by side, 0 for all there are. The mesh is the same for any number.
+    std::size_t threads = 1;
+
     //! Refinement stops there with a flagged partial result. Unset: no bound.
     std::optional<std::size_t> max_vertices = std::nullopt;
 

@@ -13,9 +13,10 @@ constexpr std::size_t kInsertionsBetweenReports = 1024;
 
 } // namespace
 
-Refinement::Refinement(RestrictedDelaunay& restricted, const MeshingOptions& options,
+Refinement::Refinement(RestrictedDelaunay& restricted, const MeshingOptions& options, const Workers& workers,
                        MeshingStatistics& statistics, ProgressSink* progress)
-    : restricted_(restricted), statistics_(statistics), progress_(progress), criteria_(options),
+    : restricted_(restricted), workers_(workers), statistics_(statistics), progress_(progress),
+      criteria_(options),
       max_vertices_(options.max_vertices.value_or(std::numeric_limits<std::size_t>::max()))
 {
 }
@@ -92,8 +93,8 @@ void Refinement::refine_facet(FacetId id)
         facet.kept = true;
         return;
     }
-    const Point3 center = facet.center; // the facet is gone once its center is a vertex
-    restricted_.insert(center, start, VertexOrigin::kRefinement);
+    restricted_.prepare(facet.center, start, insertion_);
+    restricted_.insert(insertion_, VertexOrigin::kRefinement);
     judge_changed_facets();
 }
 
@@ -101,7 +102,7 @@ void Refinement::refine_facet(FacetId id)
 // where there is none.
 bool Refinement::find_unresolved_facets()
 {
-    restricted_.query_even_facets();
+    restricted_.query_even_facets(workers_);
     judge_changed_facets();
     return !restricted_.changed_facets().empty();
 }

@@ -21,8 +21,8 @@ class Refinement
 {
 public:
     //! All arguments but `options` must outlive the object; `progress` may be null.
-    Refinement(RestrictedDelaunay& restricted, const MeshingOptions& options, MeshingStatistics& statistics,
-               ProgressSink* progress);
+    Refinement(RestrictedDelaunay& restricted, const MeshingOptions& options, const Workers& workers,
+               MeshingStatistics& statistics, ProgressSink* progress);
 
     //! As RestrictedDelaunay::insert; judges the facets that changed.
     VertexHandle insert(const Point3& p, VertexOrigin origin, VertexHandle hint = {});
@@ -50,12 +50,14 @@ private:
     bool find_pinched_vertices();
 
     RestrictedDelaunay& restricted_;
+    const Workers& workers_;
     MeshingStatistics& statistics_;
     ProgressSink* progress_;
     FacetCriteria criteria_;
     std::size_t max_vertices_;
     std::size_t next_report_ = 0; //!< insertions
     BadFacetQueue bad_facets_;
+    Insertion insertion_; //!< scratch
     std::vector<VertexHandle> isolated_vertices_;
     std::vector<FacetId> facets_; //!< scratch
     MeshingStatus status_ = MeshingStatus::kDone;

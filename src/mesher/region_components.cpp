@@ -4,12 +4,15 @@
 #include <limits>
 #include <unordered_map>
 
+#include "support/union_find.h"
+
 namespace voroprobe
 {
 namespace
 {
 
-constexpr auto kUnnumbered = std::numeric_limits<std::uint32_t>::max();
+// How many cells ahead the neighbours of the next are asked for: they lie anywhere in memory.
+constexpr std::size_t kPrefetchDistance = 16;
 
 double volume(const Triangulation& triangulation, DelaunayCell delaunay_cell)
 {
@@ -19,40 +22,74 @@ double volume(const Triangulation& triangulation, DelaunayCell delaunay_cell)
     return std::abs(dot(b - a, cross(c - a, d - a))) / 6.0;
 }
 
+//! Numbers the cells in the order of memory. Passes in this order are quick, walks from cell to cell are not.
+std::vector<DelaunayCell> number_cells(const Triangulation& triangulation)
+{
+    std::vector<DelaunayCell> cells;
+    cells.reserve(triangulation.tds().cells().size());
+    for (const DelaunayCell delaunay_cell : triangulation.all_cell_handles())
+    {
+        delaunay_cell->info().component = static_cast<std::uint32_t>(cells.size());
+        cells.push_back(delaunay_cell);
+    }
+    return cells;
+}
+
+//! Joins the numbers of neighbours of one region.
+UnionFind join_cells(const std::vector<DelaunayCell>& cells)
+{
+    UnionFind sets(cells.size());
+    for (std::uint32_t c = 0; c < cells.size(); ++c)
+    {
+        for (int i = 0; c + kPrefetchDistance < cells.size() && i < 4; ++i)
+            __builtin_prefetch(&cells[c + kPrefetchDistance]->neighbor(i)->info().region);
+        for (int i = 0; i < 4; ++i)
+        {
+            const DelaunayCellData& next = cells[c]->neighbor(i)->info();
+            if (next.component < c && next.region == cells[c]->info().region)
+                sets.unite(c, next.component);
+        }
+    }
+    return sets;
+}
+
+//! Of the components of regions in several pieces.
+void measure(const Triangulation& triangulation, const std::vector<DelaunayCell>& cells,
+             std::vector<RegionComponent>& components)
+{
+    std::unordered_map<Region, int> pieces;
+    for (const RegionComponent& component : components)
+        ++pieces[component.region];
+    std::vector<bool> wanted;
+    for (const RegionComponent& component : components)
+        wanted.push_back(pieces[component.region] > 1);
+    for (const DelaunayCell delaunay_cell : cells)
+    {
+        const std::uint32_t component = delaunay_cell->info().component;
+        if (wanted[component])
+            components[component].volume += volume(triangulation, delaunay_cell);
+    }
+}
+
 } // namespace
 
 std::vector<RegionComponent> find_region_components(const Triangulation& triangulation)
 {
-    for (const DelaunayCell delaunay_cell : triangulation.all_cell_handles())
-        delaunay_cell->info().component = kUnnumbered;
-
+    const std::vector<DelaunayCell> cells = number_cells(triangulation);
+    UnionFind sets = join_cells(cells);
     std::vector<RegionComponent> components;
-    std::vector<DelaunayCell> front;
-    const auto reach = [&](DelaunayCell delaunay_cell)
+    for (std::uint32_t c = 0; c < cells.size(); ++c)
     {
-        delaunay_cell->info().component = static_cast<std::uint32_t>(components.size() - 1);
-        components.back().volume += volume(triangulation, delaunay_cell);
-        front.push_back(delaunay_cell);
-    };
-    for (const DelaunayCell first : triangulation.all_cell_handles())
-    {
-        if (first->info().component != kUnnumbered)
-            continue;
-        components.push_back({first->info().region, 0.0, first});
-        reach(first);
-        while (!front.empty())
+        const std::uint32_t first = sets.find(c); // the smallest of its set: has its component already
+        if (first == c)
         {
-            const DelaunayCell delaunay_cell = front.back();
-            front.pop_back();
-            for (int i = 0; i < 4; ++i)
-            {
-                const DelaunayCell neighbor = delaunay_cell->neighbor(i);
-                if (neighbor->info().component == kUnnumbered &&
-                    neighbor->info().region == first->info().region)
-                    reach(neighbor);
-            }
+            cells[c]->info().component = static_cast<std::uint32_t>(components.size());
+            components.push_back({cells[c]->info().region, 0.0, cells[c]});
         }
+        else
+            cells[c]->info().component = cells[first]->info().component;
     }
+    measure(triangulation, cells, components);
     return components;
 }
 

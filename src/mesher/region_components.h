@@ -12,7 +12,8 @@ namespace voroprobe
 struct RegionComponent
 {
     Region region;
-    double volume;      //!< cubed scan units; infinite for the one that reaches to infinity
+    double volume; //!< cubed scan units; infinite for the one that reaches to infinity; 0 for the only one of
+                   //!< its region
     DelaunayCell first; //!< one of its cells
 };
 

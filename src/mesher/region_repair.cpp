@@ -120,13 +120,24 @@ private:
         return count;
     }
 
-    //! Sweeps until no cell changes.
+    //! Sweeps until no cell changes: first over all cells, then over those where something has changed or is
+    //! still wrong.
     std::size_t reconcile()
     {
         std::size_t reconciled = 0;
         for (int sweep = 0; sweep < kSweeps; ++sweep)
         {
-            const std::size_t changed = reconcile_neighbors();
+            std::vector<DelaunayCell> conflicting;
+            if (std::exchange(looked_at_all_, true))
+                conflicting = take_conflicting_cells();
+            else
+            {
+                for (const DelaunayCell delaunay_cell : triangulation_.finite_cell_handles())
+                    note_conflicts(delaunay_cell, conflicting);
+            }
+            std::size_t changed = 0;
+            for (const DelaunayCell delaunay_cell : conflicting)
+                changed += reconcile_with_neighbors(delaunay_cell) ? 1 : 0;
             reconciled += changed;
             if (changed == 0)
                 break;
@@ -135,41 +146,61 @@ private:
         return reconciled;
     }
 
-    //! Gives cells with a facet that the scan does not have the region that leaves fewest such facets. Every
-    //! change lowers the number. Returns the number of cells changed.
-    std::size_t reconcile_neighbors()
+    void note_conflicts(DelaunayCell delaunay_cell, std::vector<DelaunayCell>& conflicting) const
     {
-        std::size_t changed = 0;
-        for (const DelaunayCell delaunay_cell : triangulation_.finite_cell_handles())
+        if (conflicts(delaunay_cell, delaunay_cell->info().region) > 0)
+            conflicting.push_back(delaunay_cell);
+    }
+
+    //! Among the cells looked at last and those changed since, with their neighbours.
+    std::vector<DelaunayCell> take_conflicting_cells()
+    {
+        std::vector<DelaunayCell> conflicting;
+        for (const DelaunayCell delaunay_cell : std::exchange(suspects_, {}))
+            note_conflicts(delaunay_cell, conflicting);
+        for (const DelaunayCell delaunay_cell : std::exchange(changed_, {}))
         {
-            const Region own = delaunay_cell->info().region;
-            const int own_conflicts = conflicts(delaunay_cell, own);
-            if (own_conflicts == 0)
-                continue;
-            const Region here = oracle_.region(centroid(corner_positions(delaunay_cell)));
-            std::vector<Region> candidates{here};
             for (int i = 0; i < 4; ++i)
             {
-                const Region next = delaunay_cell->neighbor(i)->info().region;
-                candidates.push_back(next);
-                if (compatible(own, next))
-                    continue;
-                if (const auto between = region_between(own, next))
-                    candidates.push_back(*between);
+                if (!triangulation_.is_infinite(delaunay_cell->neighbor(i)))
+                    note_conflicts(delaunay_cell->neighbor(i), conflicting);
             }
-            const auto cost = [&](Region region) {
-                return kCostOfConflict * conflicts(delaunay_cell, region) +
-                       (region == here ? 0 : kCostOfElsewhere);
-            };
-            const Region best = *std::min_element(candidates.begin(), candidates.end(),
-                                                  [&](Region a, Region b) { return cost(a) < cost(b); });
-            if (conflicts(delaunay_cell, best) >= own_conflicts)
-                continue;
-            delaunay_cell->info().region = best;
-            mark_pinched(delaunay_cell);
-            ++changed;
+            note_conflicts(delaunay_cell, conflicting);
         }
-        return changed;
+        return conflicting;
+    }
+
+    //! Gives a cell with a facet that the scan does not have the region that leaves fewest such facets. Every
+    //! change lowers their number.
+    bool reconcile_with_neighbors(DelaunayCell delaunay_cell)
+    {
+        const Region own = delaunay_cell->info().region;
+        const int own_conflicts = conflicts(delaunay_cell, own);
+        if (own_conflicts == 0)
+            return false;
+        const Region here = oracle_.region(centroid(corner_positions(delaunay_cell)));
+        std::vector<Region> candidates{here};
+        for (int i = 0; i < 4; ++i)
+        {
+            const Region next = delaunay_cell->neighbor(i)->info().region;
+            candidates.push_back(next);
+            if (compatible(own, next))
+                continue;
+            if (const auto between = region_between(own, next))
+                candidates.push_back(*between);
+        }
+        const auto cost = [&](Region region) {
+            return kCostOfConflict * conflicts(delaunay_cell, region) +
+                   (region == here ? 0 : kCostOfElsewhere);
+        };
+        const Region best = *std::min_element(candidates.begin(), candidates.end(),
+                                              [&](Region a, Region b) { return cost(a) < cost(b); });
+        const bool better = conflicts(delaunay_cell, best) < own_conflicts;
+        if (better)
+            change_region(delaunay_cell, best, delaunay_cell->info().component);
+        else
+            suspects_.push_back(delaunay_cell);
+        return better;
     }
 
     //! Dissolves pieces of regions that lie elsewhere, and joins those that do not to the largest piece.
@@ -336,8 +367,9 @@ private:
                                                                                 : length;
     }
 
-    static void change_region(DelaunayCell delaunay_cell, Region region, std::uint32_t component)
+    void change_region(DelaunayCell delaunay_cell, Region region, std::uint32_t component)
     {
+        changed_.push_back(delaunay_cell);
         delaunay_cell->info().region = region;
         delaunay_cell->info().component = component;
         mark_pinched(delaunay_cell);
@@ -352,6 +384,9 @@ private:
     const SurfaceOracle& oracle_;
     const Triangulation& triangulation_;
     double floor_;
+    bool looked_at_all_ = false;
+    std::vector<DelaunayCell> suspects_; //!< with conflicts that could not be mended, as far as is known
+    std::vector<DelaunayCell> changed_;  //!< since the last sweep
     std::vector<RegionComponent> components_;
     std::vector<bool> is_largest_;
     RegionRepairReport report_;

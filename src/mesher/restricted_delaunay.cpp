@@ -23,18 +23,9 @@ constexpr std::size_t kLeastPostponedLimit = 1U << 16U;
 // How many cells ahead query_even_facets() asks for the next ones.
 constexpr std::size_t kPrefetchDistance = 4;
 
-void prefetch(DelaunayCell delaunay_cell)
-{
-    constexpr std::size_t kCacheLineBytes = 64;
-    const char* begin = reinterpret_cast<const char*>(&*delaunay_cell);
-    for (std::size_t offset = 0; offset < sizeof(*delaunay_cell); offset += kCacheLineBytes)
-        __builtin_prefetch(begin + offset);
-}
-
-std::uint8_t capped_count(std::size_t count)
-{
-    return static_cast<std::uint8_t>(count <= 255 ? count : 254 + (count & 1U));
-}
+// Dual edges that one thread asks about in a row, and cells whose facets are asked about side by side.
+constexpr std::size_t kQueriesAtOnce = 256;
+constexpr std::size_t kCellsQueriedAtOnce = 1U << 14U;
 
 } // namespace
 
@@ -60,8 +51,10 @@ void RestrictedDelaunay::insert_sentinels()
     }
     for (const DelaunayCell delaunay_cell : triangulation_.finite_cell_handles())
     {
-        set_dual_vertex(delaunay_cell);
-        delaunay_cell->info().facet.fill(kNoFacet); // their dual edges lie beyond the domain
+        DelaunayCellData& data =
+            delaunay_cell->info(); // without facets: their dual edges lie beyond the domain
+        data.circumcenter = circumcenter(corner_positions(delaunay_cell));
+        data.region = oracle_.region(data.circumcenter);
     }
 }
 
@@ -71,102 +64,63 @@ bool RestrictedDelaunay::is_apart(const Point3& p, double least_separation, Vert
     return squared_distance(position(nearest), p) > least_separation * least_separation;
 }
 
-VertexHandle RestrictedDelaunay::insert(const Point3& p, VertexOrigin origin, VertexHandle hint)
+DelaunayCell RestrictedDelaunay::locate(const Point3& p, VertexHandle hint) const
 {
-    changed_facets_.clear();
     Triangulation::Locate_type type;
     int i = 0;
     int j = 0;
     const DelaunayCell near = hint == VertexHandle() ? DelaunayCell() : hint->cell();
-    const DelaunayCell start = triangulation_.locate(cgal_point(p), type, i, j, near);
-    return type == Triangulation::VERTEX ? VertexHandle() : insert(p, start, origin);
+    const DelaunayCell found = triangulation_.locate(cgal_point(p), type, i, j, near);
+    return type == Triangulation::VERTEX ? DelaunayCell() : found;
 }
 
-VertexHandle RestrictedDelaunay::insert(const Point3& p, DelaunayCell start, VertexOrigin origin)
+VertexHandle RestrictedDelaunay::insert(const Point3& p, VertexOrigin origin, VertexHandle hint)
 {
     changed_facets_.clear();
-    zone_cells_.clear();
-    zone_boundary_.clear();
-    triangulation_.find_conflicts(cgal_point(p), start, std::back_inserter(zone_boundary_),
-                                  std::back_inserter(zone_cells_));
-    forget_zone();
-    const auto& [begin_cell, begin_index] = zone_boundary_.front();
-    const VertexHandle vertex = triangulation_.insert_in_hole(cgal_point(p), zone_cells_.begin(),
-                                                              zone_cells_.end(), begin_cell, begin_index);
-    vertex->info().index = static_cast<std::uint32_t>(triangulation_.number_of_vertices() - 1);
-    vertex->info().origin = origin;
-    vertex->info().surface = oracle_.surface_at(p);
-    ++statistics_.insertions;
+    const DelaunayCell start = locate(p, hint);
+    if (start == DelaunayCell())
+        return {};
+    prepare(p, start, insertion_);
+    return insert(insertion_, origin);
+}
 
-    // Every boundary facet of the zone now has one new cell on its inner side.
-    star_.clear();
-    for (const ZoneBoundaryFacet& boundary : boundary_)
-    {
-        star_.push_back(boundary.outer->neighbor(boundary.outer_index));
-        set_dual_vertex(star_.back());
-    }
-    for (const ZoneBoundaryFacet& boundary : boundary_)
-        carry_over(boundary, p);
-    for (const DelaunayCell delaunay_cell : star_)
-    {
-        const auto& facets = delaunay_cell->info().facet;
-        for (int i = 0; i < 4; ++i)
-        {
-            if (facets[static_cast<std::size_t>(i)] == kUnqueriedFacet)
-                query_or_postpone(delaunay_cell, i);
-        }
-        if (std::find(facets.begin(), facets.end(), kUnqueriedFacet) != facets.end())
-            postponed_cells_.push_back(delaunay_cell);
-    }
-    forget_dead_postponed_cells();
-    note_unprobed(vertex);
+VertexHandle RestrictedDelaunay::insert(const Insertion& insertion, VertexOrigin origin)
+{
+    changed_facets_.clear();
+    ++statistics_.insertions;
+    statistics_.queries_refinement += insertion.queries();
+    statistics_.region_lookups += insertion.star().size();
+    forget_zone(insertion);
+    const VertexHandle vertex = make_vertex(insertion, origin);
+    make_star(insertion, vertex);
+    connect_star(insertion);
+    for (const Insertion::NewFacet& found : insertion.new_facets())
+        add_facet(star_[found.star_cell], found.facet);
+    postpone_unqueried_facets();
     mark_unchecked(vertex);
     return vertex;
 }
 
-// The Voronoi cell of a new vertex is cut out of those of its neighbours: where all of them were probed, so
-// is it. Sentinels' cells lie beyond the domain as soon as there is another vertex.
-void RestrictedDelaunay::note_unprobed(VertexHandle vertex)
+// Facets inside the zone vanish. Those on its boundary stay with the cell beyond, if their answers do.
+void RestrictedDelaunay::forget_zone(const Insertion& insertion)
 {
-    if (vertex_count() == 1)
+    const std::vector<ZoneFacet>& zone_facets = insertion.zone().facets();
+    for (std::size_t f = 0; f < zone_facets.size(); ++f)
     {
-        unprobed_vertices_.push_back(vertex);
-        return;
-    }
-    const auto is_probed = [&](VertexHandle other) { return other == vertex || other->info().cell_probed; };
-    for (const DelaunayCell delaunay_cell : star_)
-    {
-        for (int i = 0; i < 4; ++i)
+        const ZoneFacet& zone_facet = zone_facets[f];
+        FacetId& known = zone_facet.outer->info().facet[zone_facet.outer_index];
+        const FacetId kept = insertion.star()[f].facet[zone_facet.inner_index];
+        if (known < kUnqueriedFacet && kept == known)
         {
-            if (!is_probed(delaunay_cell->vertex(i)))
-            {
-                unprobed_vertices_.push_back(vertex);
-                return;
-            }
+            facets_[known].delaunay_cell = zone_facet.outer;
+            facets_[known].index = zone_facet.outer_index;
         }
+        else if (known < kUnqueriedFacet)
+            release_facet(known);
+        known = kept;
+        zone_facet.inner->info().facet[zone_facet.inner_index] = kNoFacet;
     }
-    vertex->info().cell_probed = true;
-}
-
-// Before the zone is retriangulated: facets inside it vanish, those on its boundary are remembered from the
-// outer side.
-void RestrictedDelaunay::forget_zone()
-{
-    boundary_.clear();
-    for (const auto& [delaunay_cell, index] : zone_boundary_)
-    {
-        FacetId& slot = delaunay_cell->info().facet[static_cast<std::size_t>(index)];
-        const ZoneBoundaryFacet boundary{delaunay_cell->neighbor(index),
-                                         triangulation_.mirror_index(delaunay_cell, index), slot};
-        slot = kNoFacet; // what stays in the slots lies inside the zone
-        if (boundary.facet < kUnqueriedFacet)
-        {
-            facets_[boundary.facet].delaunay_cell = boundary.outer;
-            facets_[boundary.facet].index = static_cast<std::uint8_t>(boundary.outer_index);
-        }
-        boundary_.push_back(boundary);
-    }
-    for (const DelaunayCell delaunay_cell : zone_cells_)
+    for (const DelaunayCell delaunay_cell : insertion.zone().cells())
     {
         for (const FacetId id : delaunay_cell->info().facet)
         {
@@ -176,60 +130,71 @@ void RestrictedDelaunay::forget_zone()
     }
 }
 
-void RestrictedDelaunay::set_dual_vertex(DelaunayCell delaunay_cell)
+VertexHandle RestrictedDelaunay::make_vertex(const Insertion& insertion, VertexOrigin origin)
 {
-    DelaunayCellData& data = delaunay_cell->info();
-    data = DelaunayCellData{};
-    data.facet.fill(kUnqueriedFacet);
-    if (triangulation_.is_infinite(delaunay_cell))
-        return;
-    data.circumcenter = circumcenter(corner_positions(delaunay_cell));
-    data.region = oracle_.region(data.circumcenter);
-    ++statistics_.region_lookups;
+    const VertexHandle vertex = triangulation_.tds().create_vertex();
+    vertex->set_point(cgal_point(insertion.point()));
+    VertexData& data = vertex->info();
+    data.index = static_cast<std::uint32_t>(triangulation_.number_of_vertices() - 1);
+    data.origin = origin;
+    data.surface = insertion.surface();
+    // The Voronoi cell of a new vertex is cut out of those of its neighbours: where all of them were probed,
+    // so is it. Sentinels' cells lie beyond the domain as soon as there is another vertex.
+    data.cell_probed = vertex_count() > 1 && insertion.all_around_probed();
+    if (!data.cell_probed)
+        unprobed_vertices_.push_back(vertex);
+    return vertex;
 }
 
-// A facet on the boundary of the zone keeps what was known of it where that still holds.
-void RestrictedDelaunay::carry_over(const ZoneBoundaryFacet& boundary, const Point3& inserted)
+// New cells take the places of the old ones in memory, which are warm.
+void RestrictedDelaunay::make_star(const Insertion& insertion, VertexHandle vertex)
 {
-    const DelaunayCell inner = boundary.outer->neighbor(boundary.outer_index);
-    const int inner_index = triangulation_.mirror_index(boundary.outer, boundary.outer_index);
-    FacetId& inner_facet = inner->info().facet[static_cast<std::size_t>(inner_index)];
-    const bool odd = separates_sides(boundary.outer, boundary.outer_index);
-    if (boundary.facet == kUnqueriedFacet)
+    auto& tds = triangulation_.tds();
+    for (const DelaunayCell delaunay_cell : insertion.zone().cells())
+        tds.delete_cell(delaunay_cell);
+    star_.clear();
+    for (std::size_t f = 0; f < insertion.star().size(); ++f)
     {
-        query_or_postpone(boundary.outer, boundary.outer_index);
-        return;
+        const ZoneFacet& zone_facet = insertion.zone().facets()[f];
+        std::array<VertexHandle, 4> corners = zone_facet.corners;
+        corners[zone_facet.inner_index] = vertex;
+        const DelaunayCell made = tds.create_cell(corners[0], corners[1], corners[2], corners[3]);
+        for (const VertexHandle corner : corners)
+            corner->set_cell(made);
+        const Insertion::StarCell& star_cell = insertion.star()[f];
+        DelaunayCellData& data = made->info();
+        data.circumcenter = star_cell.circumcenter;
+        data.region = star_cell.region;
+        data.facet = star_cell.facet;
+        star_.push_back(made);
     }
-    if (boundary.facet == kNoFacet && !odd)
-    {
-        inner_facet = kNoFacet;
-        return;
-    }
-    if (boundary.facet != kNoFacet && facets_[boundary.facet].crossing_count == 1)
-    {
-        const RestrictedFacet& known = facets_[boundary.facet];
-        const bool center_stays = squared_distance(known.center, inserted) >= known.squared_radius;
-        if (odd && center_stays)
-        {
-            inner_facet = boundary.facet;
-            return;
-        }
-        if (!odd && !center_stays)
-        {
-            release_facet(boundary.facet);
-            boundary.outer->info().facet[static_cast<std::size_t>(boundary.outer_index)] = kNoFacet;
-            inner_facet = kNoFacet;
-            return;
-        }
-    }
-    // One of several crossings may have gone, or rounding moved a Voronoi vertex across the surface.
-    query_dual_edge(boundary.outer, boundary.outer_index, boundary.facet);
 }
 
-void RestrictedDelaunay::query_or_postpone(DelaunayCell delaunay_cell, int index)
+void RestrictedDelaunay::connect_star(const Insertion& insertion)
 {
-    if (separates_sides(delaunay_cell, index))
-        query_dual_edge(delaunay_cell, index, kNoFacet);
+    auto& tds = triangulation_.tds();
+    for (std::uint32_t f = 0; f < star_.size(); ++f)
+    {
+        const ZoneFacet& zone_facet = insertion.zone().facets()[f];
+        tds.set_adjacency(star_[f], zone_facet.inner_index, zone_facet.outer, zone_facet.outer_index);
+        for (std::uint8_t i = 0; i < 4; ++i)
+        {
+            const auto [g, index_of_g] = zone_facet.beyond[i];
+            if (i != zone_facet.inner_index && f < g)
+                tds.set_adjacency(star_[f], i, star_[g], index_of_g);
+        }
+    }
+}
+
+void RestrictedDelaunay::postpone_unqueried_facets()
+{
+    for (const DelaunayCell delaunay_cell : star_)
+    {
+        const auto& facets = delaunay_cell->info().facet;
+        if (std::find(facets.begin(), facets.end(), kUnqueriedFacet) != facets.end())
+            postponed_cells_.push_back(delaunay_cell);
+    }
+    forget_dead_postponed_cells();
 }
 
 // Most cells noted are gone long before they would be asked about.
@@ -242,75 +207,86 @@ void RestrictedDelaunay::forget_dead_postponed_cells()
     postponed_limit_ = std::max<std::size_t>(2 * postponed_cells_.size(), kLeastPostponedLimit);
 }
 
-void RestrictedDelaunay::query_even_facets()
+void RestrictedDelaunay::query_even_facets(const Workers& workers)
 {
     changed_facets_.clear();
-    const auto is_used = [&](DelaunayCell delaunay_cell)
+    std::vector<Unqueried> unqueried;
+    std::vector<RestrictedFacet> found;
+    for (std::size_t begin = 0; begin < postponed_cells_.size(); begin += kCellsQueriedAtOnce)
     {
-        return triangulation_.tds().cells().is_used(
-            delaunay_cell); // a new cell in an old one's place is as welcome
-    };
-    for (std::size_t c = 0; c < postponed_cells_.size(); ++c)
-    {
-        // Half of the time here would be spent on waiting for the cells beyond the facets.
-        if (c + kPrefetchDistance < postponed_cells_.size() &&
-            is_used(postponed_cells_[c + kPrefetchDistance]))
+        const std::size_t end = std::min(begin + kCellsQueriedAtOnce, postponed_cells_.size());
+        take_unqueried_facets({postponed_cells_.data() + begin, end - begin}, unqueried);
+        found.assign(unqueried.size(), {});
+        workers.for_each(
+            unqueried.size(), [&](std::size_t i) { query(unqueried[i], found[i]); }, kQueriesAtOnce);
+        statistics_.queries_refinement += unqueried.size();
+        for (std::size_t i = 0; i < unqueried.size(); ++i)
         {
-            for (int i = 0; i < 4; ++i)
-                prefetch(postponed_cells_[c + kPrefetchDistance]->neighbor(i));
-        }
-        const DelaunayCell delaunay_cell = postponed_cells_[c];
-        if (!is_used(delaunay_cell))
-            continue;
-        for (int i = 0; i < 4; ++i)
-        {
-            if (delaunay_cell->info().facet[static_cast<std::size_t>(i)] == kUnqueriedFacet)
-                query_dual_edge(delaunay_cell, i, kNoFacet);
+            if (found[i].crossing_count != 0)
+                add_facet(unqueried[i].delaunay_cell, found[i]);
         }
     }
     postponed_cells_.clear();
 }
 
-// Asks the oracle where the dual edge of a facet crosses the surface, and keeps the answer on both sides of
-// the facet. Of several crossings the one with the largest ball becomes the center: it is the farthest from
-// what is resolved already.
-void RestrictedDelaunay::query_dual_edge(DelaunayCell delaunay_cell, int index, FacetId reuse)
+// Until the oracle has answered, the facets count as not crossed.
+void RestrictedDelaunay::take_unqueried_facets(std::span<const DelaunayCell> delaunay_cells,
+                                               std::vector<Unqueried>& facets)
 {
-    const DelaunayCell neighbor = delaunay_cell->neighbor(index);
-    crossings_.clear();
-    if (!triangulation_.is_infinite(delaunay_cell) && !triangulation_.is_infinite(neighbor))
+    facets.clear();
+    const auto is_used = [&](DelaunayCell delaunay_cell)
     {
-        oracle_.find_crossings({delaunay_cell->info().circumcenter, neighbor->info().circumcenter},
-                               crossings_);
-        ++statistics_.queries_refinement;
-    }
-    if (reuse != kNoFacet)
-        release_facet(reuse);
-    const FacetId id = crossings_.empty() ? kNoFacet : allocate_facet();
-    const int mirror = triangulation_.mirror_index(delaunay_cell, index);
-    delaunay_cell->info().facet[static_cast<std::size_t>(index)] = id;
-    neighbor->info().facet[static_cast<std::size_t>(mirror)] = id;
-    if (id == kNoFacet)
-        return;
-
-    RestrictedFacet& facet = facets_[id];
-    facet.delaunay_cell = delaunay_cell;
-    facet.index = static_cast<std::uint8_t>(index);
-    facet.crossing_count = capped_count(crossings_.size());
-    for (std::size_t k = 0; k < 3; ++k)
-        facet.vertices[k] = delaunay_cell->vertex((index + static_cast<int>(k) + 1) & 3)->info().index;
-    facet.kept = false;
-    facet.squared_radius = -1.0;
-    const Point3 corner = position(delaunay_cell->vertex((index + 1) & 3));
-    for (const Crossing& crossing : crossings_)
+        return triangulation_.tds().cells().is_used(
+            delaunay_cell); // a new cell in an old one's place is as welcome
+    };
+    for (std::size_t c = 0; c < delaunay_cells.size(); ++c)
     {
-        const double squared_radius = squared_distance(crossing.point, corner);
-        if (squared_radius > facet.squared_radius)
+        // Half of the time here would be spent on waiting for the cells beyond the facets.
+        if (c + kPrefetchDistance < delaunay_cells.size() && is_used(delaunay_cells[c + kPrefetchDistance]))
         {
-            facet.squared_radius = squared_radius;
-            facet.center = crossing.point;
+            for (int i = 0; i < 4; ++i)
+                prefetch(delaunay_cells[c + kPrefetchDistance]->neighbor(i));
+        }
+        const DelaunayCell delaunay_cell = delaunay_cells[c];
+        if (!is_used(delaunay_cell))
+            continue;
+        for (std::uint8_t i = 0; i < 4; ++i)
+        {
+            if (delaunay_cell->info().facet[i] != kUnqueriedFacet)
+                continue;
+            facets.push_back({delaunay_cell, i});
+            const DelaunayCell next = delaunay_cell->neighbor(i);
+            delaunay_cell->info().facet[i] = kNoFacet;
+            next->info().facet[static_cast<std::size_t>(next->index(delaunay_cell))] = kNoFacet;
         }
     }
+}
+
+void RestrictedDelaunay::query(const Unqueried& unqueried, RestrictedFacet& facet) const
+{
+    thread_local std::vector<Crossing> crossings;
+    const auto [delaunay_cell, index] = unqueried;
+    const DelaunayCell next = delaunay_cell->neighbor(index);
+    if (triangulation_.is_infinite(delaunay_cell) || triangulation_.is_infinite(next))
+        return;
+    oracle_.find_crossings({delaunay_cell->info().circumcenter, next->info().circumcenter}, crossings);
+    facet.index = index;
+    set_crossings(facet, crossings, position(delaunay_cell->vertex((index + 1) & 3)));
+}
+
+// Keeps what is known of a facet on both of its sides.
+void RestrictedDelaunay::add_facet(DelaunayCell delaunay_cell, RestrictedFacet facet)
+{
+    const int index = facet.index;
+    const DelaunayCell next = delaunay_cell->neighbor(index);
+    const FacetId id = allocate_facet();
+    delaunay_cell->info().facet[static_cast<std::size_t>(index)] = id;
+    next->info().facet[static_cast<std::size_t>(next->index(delaunay_cell))] = id;
+    facet.delaunay_cell = delaunay_cell;
+    for (std::size_t k = 0; k < 3; ++k)
+        facet.vertices[k] = delaunay_cell->vertex((index + static_cast<int>(k) + 1) & 3)->info().index;
+    facet.generation = facets_[id].generation;
+    facets_[id] = facet;
     mark_unchecked(facet);
     changed_facets_.push_back(id);
 }

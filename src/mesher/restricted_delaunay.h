@@ -1,34 +1,18 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include "mesher/delaunay.h"
+#include "mesher/insertion.h"
+#include "mesher/restricted_facet.h"
 #include "mesher/seeded_mesher.h"
 #include "oracles/surface_oracle.h"
+#include "support/workers.h"
 
 namespace voroprobe
 {
-
-//! A Delaunay facet whose dual Voronoi edge meets the surface.
-struct RestrictedFacet
-{
-    Point3 center;                //!< of the surface Delaunay ball: where the dual edge crosses the surface
-    double squared_radius = 0.0;  //!< of the surface Delaunay ball
-    DelaunayCell delaunay_cell{}; //!< the facet is the one opposite ...
-    std::uint8_t index = 0;       //!< ... this vertex of the Delaunay cell
-    bool kept = false;            //!< rounding hides the conflict of its center: not refined any more
-
-    //! Crossings of the dual edge, capped at 255 with the parity kept; 0: the slot is free.
-    std::uint8_t crossing_count = 0;
-    std::array<std::uint32_t, 3> vertices{}; //!< indices of the corners
-    std::uint32_t generation = 0;            //!< changes whenever the slot is reused or the facet recomputed
-
-    //! Odd facets separate inside from outside: they are the mesh. Even ones are evidence of unresolved
-    //! surface.
-    [[nodiscard]] bool odd() const { return (crossing_count & 1U) != 0; }
-};
 
 //! The Delaunay triangulation of a growing point set restricted to the surface of an oracle.
 //!
@@ -36,20 +20,27 @@ struct RestrictedFacet
 //! regions of its two cells differ in sign, so the odd facets bound the union of the inside cells: they are
 //! closed and orientable whatever rounding does to a circumcenter.
 //!
-//! An insertion queries the oracle for the facets incident to the new vertex only. A facet on the boundary of
-//! the conflict zone keeps its answer, for its dual edge only shrinks: "no crossing" stays true, and a single
-//! crossing stays the center while it is no nearer to the new point than to the facet's vertices.
+//! An insertion is prepared without touching the triangulation, and then carried out.
 class RestrictedDelaunay
 {
 public:
     //! `statistics` counts insertions, queries and look-ups; both references must outlive the object.
     RestrictedDelaunay(const SurfaceOracle& oracle, MeshingStatistics& statistics);
 
-    //! Inserts the center of a facet's surface Delaunay ball. `start`: a Delaunay cell in conflict with it.
-    VertexHandle insert(const Point3& p, DelaunayCell start, VertexOrigin origin);
+    //! Finds out what inserting p would do; `start`: a Delaunay cell in conflict with it.
+    void prepare(const Point3& p, DelaunayCell start, Insertion& insertion) const
+    {
+        insertion.prepare(triangulation_, facets_, oracle_, p, start);
+    }
 
-    //! Inserts any point of the surface; located from `hint`, which may be null. Returns a null handle, and
-    //! changes nothing, where the point is a vertex already.
+    //! Carries out an insertion. \pre Nothing was inserted since it was prepared.
+    VertexHandle insert(const Insertion& insertion, VertexOrigin origin);
+
+    //! A Delaunay cell in conflict with a point; located from `hint`, which may be null. Null where the point
+    //! is a vertex already.
+    [[nodiscard]] DelaunayCell locate(const Point3& p, VertexHandle hint) const;
+
+    //! Inserts any point of the surface, as the three above do together. Null where it is a vertex already.
     VertexHandle insert(const Point3& p, VertexOrigin origin, VertexHandle hint = {});
 
     //! Whether no vertex is closer to p than `least_separation`. Located from `hint`.
@@ -58,9 +49,9 @@ public:
     //! Asks the oracle about the dual edges that insertions have left aside: those whose ends lie on one side
     //! of the surface. Their facets cannot be in the mesh, and while it is coarse most of them vanish
     //! unasked. The facets found are in changed_facets(). Cost: O(Delaunay cells made since the last call).
-    void query_even_facets();
+    void query_even_facets(const Workers& workers);
 
-    //! The facets that the last insertion created or changed.
+    //! The facets that the last insertion, or query_even_facets(), found.
     [[nodiscard]] const std::vector<FacetId>& changed_facets() const { return changed_facets_; }
 
     //! Has the vertex taken by the next take_unchecked_vertices().
@@ -106,22 +97,23 @@ public:
     }
 
 private:
-    //! A facet between the conflict zone and the Delaunay cells that stay.
-    struct ZoneBoundaryFacet
+    //! A facet whose dual edge the oracle is to be asked about.
+    struct Unqueried
     {
-        DelaunayCell outer; //!< the cell that stays
-        int outer_index;
-        FacetId facet;
+        DelaunayCell delaunay_cell;
+        std::uint8_t index;
     };
 
     void insert_sentinels();
-    void forget_zone();
-    void set_dual_vertex(DelaunayCell delaunay_cell);
+    void forget_zone(const Insertion& insertion);
+    VertexHandle make_vertex(const Insertion& insertion, VertexOrigin origin);
+    void make_star(const Insertion& insertion, VertexHandle vertex);
+    void connect_star(const Insertion& insertion);
+    void postpone_unqueried_facets();
     void forget_dead_postponed_cells();
-    void query_or_postpone(DelaunayCell delaunay_cell, int index);
-    void carry_over(const ZoneBoundaryFacet& boundary, const Point3& inserted);
-    void query_dual_edge(DelaunayCell delaunay_cell, int index, FacetId reuse);
-    void note_unprobed(VertexHandle vertex);
+    void take_unqueried_facets(std::span<const DelaunayCell> delaunay_cells, std::vector<Unqueried>& facets);
+    void query(const Unqueried& unqueried, RestrictedFacet& facet) const;
+    void add_facet(DelaunayCell delaunay_cell, RestrictedFacet facet);
     void mark_unchecked(const RestrictedFacet& facet);
     FacetId allocate_facet();
     void release_facet(FacetId id);
@@ -137,12 +129,8 @@ private:
     std::size_t postponed_limit_ = 0; //!< postponed_cells_ is cleared of dead cells when it is as long
     std::vector<DelaunayCell> postponed_cells_; //!< with facets not asked about; some are gone since
 
-    // Scratch of one insertion, kept to avoid allocation.
-    std::vector<DelaunayCell> zone_cells_;
-    std::vector<Triangulation::Facet> zone_boundary_;
-    std::vector<ZoneBoundaryFacet> boundary_;
-    std::vector<Crossing> crossings_;
-    std::vector<DelaunayCell> star_;
+    Insertion insertion_;            //!< scratch
+    std::vector<DelaunayCell> star_; //!< scratch: the new cells of an insertion, those around a vertex
 };
 
 } // namespace voroprobe

@@ -20,6 +20,7 @@
 #include "support/error.h"
 #include "support/number_text.h"
 #include "support/stopwatch.h"
+#include "support/workers.h"
 
 namespace voroprobe
 {
@@ -34,9 +35,9 @@ class SeededMesher
 {
 public:
     SeededMesher(const SurfaceOracle& oracle, const MeshingOptions& options, ProgressSink* progress)
-        : oracle_(oracle), options_(options), restricted_(oracle, statistics_),
+        : oracle_(oracle), options_(options), workers_(options.threads), restricted_(oracle, statistics_),
           deadline_(progress, options.max_seconds),
-          refinement_(restricted_, options_, statistics_, &deadline_),
+          refinement_(restricted_, options_, workers_, statistics_, &deadline_),
           cell_probing_(restricted_, options_, statistics_)
     {
     }
@@ -184,6 +185,7 @@ private:
     MeshingOptions options_;
     MeshingStatistics statistics_;
     Stopwatch stopwatch_;
+    Workers workers_;
     RestrictedDelaunay restricted_;
     Deadline deadline_;
     Refinement refinement_;

@@ -30,7 +30,7 @@ THIRD_PARTIES = {
     "libtiff": (("tiffio.h",), ["io"]),
     "zlib": (("zlib.h",), ["io", "src/compare"]),
     "CGAL": (("CGAL/", "boost/"), ["oracles", "src/mesher", "src/certificate", "src/compare"]),
-    "TBB": (("tbb/", "oneapi/tbb"), ["src/volume", "src/mesher", "src/certificate", "src/labels", "src/compare"]),
+    "TBB": (("tbb/", "oneapi/tbb"), ["src/support", "src/volume", "src/mesher", "src/certificate", "src/labels", "src/compare"]),
     "muParser": (("muParser",), ["oracles"]),
     "CLI11": (("CLI/",), ["src/cli"]),
     "nlohmann-json": (("nlohmann/",), ["src/cli", "src/compare"]),

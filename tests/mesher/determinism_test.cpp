@@ -50,6 +50,19 @@ TEST(Determinism, two_runs_give_the_same_bytes)
     }
 }
 
+TEST(Determinism, any_number_of_threads_gives_the_same_bytes)
+{
+    const RandomVolume random = make_random_volume(VolumeKind::kSmoothNoise, 5);
+    const auto oracle = make_trilinear_oracle(random.volume, random.isovalue);
+    MeshingOptions options = kOptions;
+    const TriangleMesh on_one = mesh_surface(*oracle, options).mesh;
+    for (const std::size_t threads : {2U, 3U, 0U})
+    {
+        options.threads = threads;
+        EXPECT_TRUE(same_bytes(on_one, mesh_surface(*oracle, options).mesh)) << threads;
+    }
+}
+
 TEST(Determinism, what_was_meshed_before_plays_no_part)
 {
     const RandomVolume random = make_random_volume(VolumeKind::kSmoothNoise, 4);
