@@ -55,7 +55,8 @@ void add_criteria(CLI::App& command, MeshArguments& arguments)
                                          {"all", IsolatedVertices::kAllAtOnce}},
                  "Isolated vertices to begin new surfaces at before each\nrefinement: one is leaner, all is "
                  "quicker (default all)");
-    group.text("--max-vertices", "N", "Stop there, write what there is and exit with 6 (default: no bound)",
+    group.text("--max-vertices", "N",
+               "Stop there, write what there is and exit with 6 (default: what memory holds)",
                [&arguments](const std::string& given)
                { arguments.max_vertices = parse_count("--max-vertices", given, 1); });
 }
@@ -104,8 +105,7 @@ void add_run_options(CLI::App& command, MeshArguments& arguments)
                "(default 0)",
                [&arguments](const std::string& given) { arguments.seed = parse_count("--seed", given, 0); });
     group.text("--threads", "N",
-               "Labels are meshed side by side on so many (default all there\nare); refinement runs on one "
-               "thread; any number gives the same\nbytes",
+               "Threads that work side by side; any number gives the same bytes\n(default: all processors)",
                [&arguments](const std::string& given)
                { arguments.threads = parse_count("--threads", given, 1); });
     command

@@ -58,9 +58,8 @@ struct MeshArguments
     std::optional<std::filesystem::path> summary = std::nullopt;
 
     std::size_t seed = 0; //!< nothing in the pipeline is random: every seed gives the same bytes
-    //! Labels are meshed side by side, refinement itself runs on one thread: every number gives the same
-    //! bytes. Unset: all there are for labels, 1 otherwise.
-    std::optional<std::size_t> threads = std::nullopt;
+    std::optional<std::size_t> threads =
+        std::nullopt; //!< unset: all there are; any number gives the same bytes
     ProgressMode progress = ProgressMode::kAuto;
     bool quiet = false; //!< nothing on stdout, no automatic bar
 };

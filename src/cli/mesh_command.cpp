@@ -1,11 +1,13 @@
 #include "cli/mesh_command.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 
 #include "cli/interrupt.h"
 #include "cli/label_map_input.h"
 #include "cli/labels_command.h"
+#include "cli/mesh_budget.h"
 #include "cli/mesh_certificate.h"
 #include "cli/mesh_report.h"
 #include "cli/mesh_run.h"
@@ -16,6 +18,7 @@
 #include "io/mesh_writer.h"
 #include "support/error.h"
 #include "support/stopwatch.h"
+#include "support/thread_limit.h"
 
 namespace voroprobe
 {
@@ -82,12 +85,15 @@ MeshFormat check_outputs(const MeshArguments& arguments)
 
 MeshingOptions options_of(const MeshArguments& arguments, const SurfaceInput& input)
 {
-    MeshingOptions options =
-        meshing_options(arguments.criteria, voxel_scale(input.placement.source_index_from_grid));
+    const VoxelScale scale = voxel_scale(input.placement.source_index_from_grid);
+    MeshingOptions options = meshing_options(arguments.criteria, scale);
     options.isolated_vertices = arguments.isolated_vertices;
     options.close_border = arguments.border == BorderFaces::kClosed;
-    options.max_vertices = arguments.max_vertices;
+    options.max_vertices = arguments.max_vertices.value_or(vertices_in_memory());
+    options.threads = arguments.threads.value_or(0);
     apply_seeding(arguments.finding, input.placement, options);
+    if (input.inventory && !arguments.max_vertices && !options.max_seconds)
+        check_size(options, *input.inventory, std::pow(scale.mean_side, 3));
     return options;
 }
 
@@ -121,7 +127,7 @@ MeshingResult refine_surface(MeshRun& run, ProgressSink& progress)
         return result;
     if (run.status == RunStatus::kPartial)
         throw Error(ExitStatus::kBudget,
-                    budget_text(run.options) + " was reached before there was a face; nothing was written");
+                    budget_text(run) + " was reached before there was a face; nothing was written");
     if (run.input.kind != InputKind::kVolume)
         throw EmptySurfaceError(run.input.description +
                                 ": no probe met a surface, or all of it is smaller than --floor " +
@@ -206,6 +212,9 @@ std::vector<std::string> result_warnings(const MeshRun& run)
 void run_mesh_command(const MeshArguments& arguments)
 {
     const Stopwatch clock;
+    std::optional<ThreadLimit> limit;
+    if (arguments.threads)
+        limit.emplace(*arguments.threads);
     check_label_arguments(arguments);
     if (arguments.label_map.wanted())
         return run_labels_command(arguments);

@@ -41,12 +41,25 @@ std::optional<std::string> broken_promise(const MeshFacts& facts, BorderFaces bo
     return complaints.empty() ? std::nullopt : std::optional(complaints);
 }
 
+std::string budget_text(const MeshRun& run)
+{
+    const std::optional<std::size_t>& vertices = run.arguments.max_vertices;
+    const std::optional<double>& seconds = run.arguments.finding.max_seconds;
+    const std::string seconds_text = seconds ? "--max-seconds " + number_text(*seconds) : std::string();
+    if (vertices)
+        return "--max-vertices " + std::to_string(*vertices) + (seconds ? " or " + seconds_text : "");
+    if (seconds)
+        return seconds_text;
+    return "the number of vertices that memory holds, " + count_text(run.options.max_vertices.value_or(0)) +
+           ',';
+}
+
 void check_promises(const MeshRun& run)
 {
     const std::string output = run.arguments.output.string();
     if (run.status == RunStatus::kPartial)
         throw Error(ExitStatus::kBudget,
-                    budget_text(run.options) + " was reached: " + output + " holds a partial result");
+                    budget_text(run) + " was reached: " + output + " holds a partial result");
     if (const auto broken = broken_promise(run.facts, run.arguments.border))
         throw Error(ExitStatus::kIncomplete, output + " was written but has " + *broken);
     if (!run.certificate)

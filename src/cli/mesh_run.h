@@ -52,6 +52,9 @@ AffineTransform shown_from_grid(const MeshRun& run);
 //! What is wrong with the topology of the mesh, in one line; nullopt where it is as promised.
 std::optional<std::string> broken_promise(const MeshFacts& facts, BorderFaces border);
 
+//! The budget that a partial result was held to: "--max-vertices 100".
+std::string budget_text(const MeshRun& run);
+
 //! Says whether the mesh that was written is what was asked for, all of it. \throw Error: kBudget where it is
 //! partial, kIncomplete where a promise is broken.
 void check_promises(const MeshRun& run);

@@ -91,15 +91,6 @@ void add_seeding_options(CLI::App& command, SeedingArguments& arguments)
                  "Stop then, write what there is and exit with 6 (default: no bound)");
 }
 
-std::string budget_text(const MeshingOptions& options)
-{
-    const std::string vertices = "--max-vertices " + std::to_string(options.max_vertices.value_or(0));
-    if (!options.max_seconds)
-        return vertices;
-    const std::string seconds = "--max-seconds " + number_text(*options.max_seconds);
-    return options.max_vertices ? vertices + " or " + seconds : seconds;
-}
-
 void apply_seeding(const SeedingArguments& arguments, const GridPlacement& placement, MeshingOptions& options)
 {
     options.seeding = arguments.seeding.value_or(options.seeding);

@@ -36,9 +36,6 @@ void add_seeding_options(CLI::App& command, SeedingArguments& arguments);
 //! it.
 inline constexpr double kTheoremSizeInReaches = 0.091;
 
-//! The budgets that a partial result was held to: "--max-vertices 100".
-std::string budget_text(const MeshingOptions& options);
-
 //! Puts the arguments into the options; seeds from world to grid coordinates. \throw UsageError where they
 //! contradict each other; InputError where the seeds cannot be read.
 void apply_seeding(const SeedingArguments& arguments, const GridPlacement& placement,

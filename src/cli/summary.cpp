@@ -94,10 +94,10 @@ Json parameters_json(const MeshRun& run)
             {"floor_mm", options.floor_radius},
             {"reach_mm", options.reach_lower_bound},
             {"isolated", one_at_a_time ? "one" : "all"},
-            {"max_vertices", options.max_vertices ? Json(*options.max_vertices) : Json(nullptr)},
+            {"max_vertices", run.arguments.max_vertices ? Json(*run.arguments.max_vertices) : Json(nullptr)},
             {"frame_of_reference", frame_name(run.arguments.frame)},
             {"seed", run.arguments.seed},
-            {"threads", run.arguments.threads.value_or(1)}};
+            {"threads", run.arguments.threads ? Json(*run.arguments.threads) : Json(nullptr)}};
 }
 
 Json mesh_json(const MeshRun& run)

@@ -51,6 +51,7 @@ TEST_F(UsageTest, numbers_out_of_range_are_refused_with_option_value_and_range)
                            {"--angle", "'" + value + "'", "from 0 to 30"});
     expect_wrong_usage({"mesh", folder_ / "ball.mha", "-o", folder_ / "out.stl", "--isovalue", "nan"},
                        {"--isovalue", "'nan'", "auto"});
+    expect_wrong_usage(mesh_ball("out.stl", {"--size", "1e-9"}), {"--size is 1e-09", "vertices", "at least"});
     for (const std::string value : {"0", "-3", "1.5", "many"})
         expect_wrong_usage(mesh_ball("out.stl", {"--threads", value}),
                            {"--threads", "'" + value + "'", ">= 1"});
