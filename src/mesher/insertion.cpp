@@ -1,5 +1,7 @@
 #include "mesher/insertion.h"
 
+#include <algorithm>
+
 #include "mesher/circumcenter.h"
 
 namespace voroprobe
@@ -19,10 +21,13 @@ void Insertion::prepare(const Triangulation& triangulation, std::span<const Rest
     for (const ZoneFacet& zone_facet : zone_.facets())
         make_star_cell(zone_facet);
     for (std::uint32_t f = 0; f < star_.size(); ++f)
-    {
         carry_over(f, facets);
+    for (std::uint32_t f = 0; f < star_.size(); ++f)
         query_within_star(f);
-    }
+    // The newest bad facet is refined first: of one insertion let that be the largest.
+    std::sort(new_facets_.begin(), new_facets_.end(),
+              [](const NewFacet& a, const NewFacet& b)
+              { return a.facet.squared_radius < b.facet.squared_radius; });
 }
 
 void Insertion::make_star_cell(const ZoneFacet& zone_facet)
