@@ -56,7 +56,7 @@ function surfacesShown(_, c) {
   return element("span", { class: meshed === expected ? "yes" : "no" }, `${count(meshed)} of ${count(expected)}`);
 }
 
-const stages = (c) => c.time.stages.map((s) => `${s.name} ${short(s.cpu_seconds)} s`).join(", ") || "made elsewhere";
+const stages = (c) => c.time.stages.map((s) => `${s.name} ${short(s.cpu_seconds, 2)} s`).join(", ") || "made elsewhere";
 const degrees = (x) => `${short(x)}°`;
 
 function contestantColumns() {
@@ -64,27 +64,27 @@ function contestantColumns() {
     { title: "Mesh", value: (c) => c.title, show: (c) => c.title },
     column("surfaces", "surfaces.meshed", surfacesShown, "Surfaces of the scan that have a closed piece of the mesh"),
     column("vertices", "vertices", count),
-    column("faces", "faces", count),
+    column("under 30°", "angles.share_below_30", percent, "Share of the triangles"),
     column("smallest angle", "angles.min_deg", degrees),
+    column("RMS mm", "distance.mm.rms", plain, "Distance between mesh and scan, both ways"),
+    column("max mm", "distance.mm.max", plain, "Distance between mesh and scan, both ways"),
+    column("closed", "topology.closed", mark),
+    column("manifold", "topology.manifold", mark),
+    column("crossings", "topology.self_intersections", count, "Pairs of triangles that cross or overlap"),
+    column("seconds", "time.cpu_seconds", (x, c) => element("span", { title: stages(c) }, short(x)), "Processor time"),
+    column("memory", "peak_memory_bytes", bytes, "Peak, beside what was there before"),
+    column("faces", "faces", count),
     column("mean smallest", "angles.mean_min_deg", degrees, "Mean over the triangles of their smallest angle"),
     column("under 10°", "angles.share_below_10", percent, "Share of the triangles"),
     column("under 20°", "angles.share_below_20", percent, "Share of the triangles"),
-    column("under 30°", "angles.share_below_30", percent, "Share of the triangles"),
     column("largest angle", "angles.max_deg", degrees),
-    column("RMS mm", "distance.mm.rms", plain, "Distance between mesh and scan, both ways"),
     column("mean mm", "distance.mm.mean", plain, "Distance between mesh and scan, both ways"),
     column("95 % mm", "distance.mm.p95", plain, "Distance between mesh and scan, both ways"),
-    column("max mm", "distance.mm.max", plain, "Distance between mesh and scan, both ways"),
     column("RMS voxels", "distance.voxels.rms", plain),
     column("max voxels", "distance.voxels.max", plain),
-    column("closed", "topology.closed", mark),
-    column("manifold", "topology.manifold", mark),
     column("oriented", "topology.oriented", mark),
-    column("crossings", "topology.self_intersections", count, "Pairs of triangles that cross or overlap"),
     column("pieces", "topology.pieces", count),
     column("genus", "topology.genus", count, "Handles of all closed pieces"),
-    column("seconds", "time.cpu_seconds", (x, c) => element("span", { title: stages(c) }, short(x)), "Processor time"),
-    column("memory", "peak_memory_bytes", bytes, "Peak, beside what was there before"),
     column("STL file", "file_size_stl_bytes", bytes, "Binary STL"),
     column("radius-edge", "shape.mean_radius_edge_ratio", plain, "Mean circumradius to shortest edge; 0.58 at best"),
     column("largest radius-edge", "shape.max_radius_edge_ratio", plain),
@@ -105,7 +105,7 @@ function showContestants() {
   });
   byId("contestant-table").append(table.node);
   for (const c of report.contestants) {
-    const time = c.status === "done" ? ` ${stages(c)}.` : "";
+    const time = c.status === "done" ? ` Time: ${stages(c)}.` : "";
     byId("descriptions").append(element("div", {}, element("dt", {}, c.title), element("dd", {}, c.description + time)));
   }
 }

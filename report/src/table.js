@@ -15,7 +15,7 @@ export function sortableTable({ caption, columns, rows, most = Infinity, fails =
   const body = element("tbody");
   const heads = columns.map((column, i) => {
     const button = element("button", { type: "button", title: column.hint, onclick: () => sort(i) }, column.title);
-    return element("th", { scope: "col", "aria-sort": "none" }, button);
+    return element("th", { scope: "col", "aria-sort": "none", class: column.wide && "wide" }, button);
   });
   const note = element("p", { class: "soft" });
   let sorted = null;

@@ -126,7 +126,7 @@ void add_contestant_options(CLI::App& command, CompareArguments& arguments)
     group.text("--sweep-seconds", "S",
                "Time to run contestants again to find how many vertices they\nneed to be as near to the scan "
                "as marching "
-               "cubes; 0 leaves it out\n(default 20)",
+               "cubes; 0 leaves it out\n(default 12)",
                [&arguments](const std::string& given)
                { arguments.sweep_seconds = parse_number("--sweep-seconds", given, kSecondsOrNone); });
 }

@@ -33,13 +33,14 @@ enum class Goal
     kMax,
     kRms
 };
+constexpr std::array<Goal, 2> kGoals{Goal::kRms, Goal::kMax};
 
 //! Factors tried: a 256th of the length is a 65,536th of a triangle, no mesh of a scan.
 constexpr double kFinest = 1.0 / 16.0;
 constexpr double kCoarsest = 16.0;
 
-//! Distances grow with lengths to a power between 1 and 2: the first guess.
-constexpr double kPower = 1.5;
+//! Distances grow with lengths to a power between 1 and 2, on noisy scans nearly 1: the first guess.
+constexpr double kPower = 1.2;
 
 //! What needs more times the vertices of the reference has lost, and is not followed further.
 constexpr double kMostOfReference = 2.0;
@@ -180,21 +181,15 @@ public:
 
     [[nodiscard]] const ContestantEntry& entry() const { return outcome_.entry; }
 
-    //! The goals in turn. nullopt where the sweep is over.
-    std::optional<double> next()
+    //! nullopt where the sweep is over.
+    std::optional<double> next(Goal goal)
     {
-        for (std::size_t goals = 0; goals < kGoals.size(); ++goals)
-        {
-            const std::size_t which = turn_++ % kGoals.size();
-            if (tried_[which] == kTrialsPerGoal)
-                continue;
-            const auto factor = failure_ ? std::nullopt : search_.next(kGoals[which]);
-            if (!factor)
-                continue;
-            ++tried_[which];
-            return factor;
-        }
-        return std::nullopt;
+        std::size_t& tried = tried_[static_cast<std::size_t>(goal)];
+        if (failure_ || tried == kTrialsPerGoal)
+            return std::nullopt;
+        const auto factor = search_.next(goal);
+        tried += factor ? 1 : 0;
+        return factor;
     }
 
     void stop(const std::string& reason) { failure_ = reason; }
@@ -222,8 +217,6 @@ public:
     }
 
 private:
-    static constexpr std::array<Goal, 2> kGoals{Goal::kRms, Goal::kMax};
-
     [[nodiscard]] Json best_json(Goal goal) const
     {
         const auto best = search_.best(goal);
@@ -238,30 +231,37 @@ private:
     Search search_;
     std::size_t reference_vertices_;
     std::optional<std::string> failure_;
-    std::size_t turn_ = 0;
-    std::array<std::size_t, 2> tried_{};
+    std::array<std::size_t, kGoals.size()> tried_{}; //!< by goal
 };
 
-//! Runs the next trial of a sweep; when that is done, the one after it.
-void add_trial(ProcessPool& pool, Sweep& sweep, const MeshingTask& task, const ReferenceSurface& reference,
-               const CompetitionOptions& options, const Stopwatch& clock)
+//! Runs the next trial of a sweep for a goal; when that is done, the one after it.
+void add_trial(ProcessPool& pool, Sweep& sweep, Goal goal, const MeshingTask& task,
+               const ReferenceSurface& reference, const CompetitionOptions& options, const Stopwatch& clock)
 {
-    const std::optional<double> factor = sweep.next();
+    const std::optional<double> factor = sweep.next(goal);
     if (!factor)
         return;
     if (clock.seconds() > options.sweep_seconds)
         return sweep.stop("the time for it was over");
     pool.add([&sweep, &task, &reference, &options, factor](ChildOutput& output)
              { run_trial(sweep.entry(), task, *factor, reference, options.measuring, output); },
-             [&pool, &sweep, &task, &reference, &options, &clock](const ChildResult& result)
+             [&pool, &sweep, goal, &task, &reference, &options, &clock](const ChildResult& result)
              {
                  sweep.take(result);
                  if (options.tell)
                      options.tell("equal accuracy, " + sweep.entry().title);
-                 add_trial(pool, sweep, task, reference, options, clock);
+                 add_trial(pool, sweep, goal, task, reference, options, clock);
              },
              options.sweep_seconds,
              sweep.entry().name == kOurs ? ProcessPool::Turn::kNext : ProcessPool::Turn::kLast);
+}
+
+//! Refinement that did not begin at a surface does not find it with finer criteria.
+bool has_lost_more(const ContestantOutcome& outcome, const ContestantOutcome& reference)
+{
+    const auto meshed = [](const ContestantOutcome& one)
+    { return one.report.at("surfaces").at("meshed").get<std::size_t>(); };
+    return outcome.entry.knob == Knob::kCriteria && meshed(outcome) < meshed(reference);
 }
 
 const ContestantOutcome* find_done(const std::vector<ContestantOutcome>& outcomes, const std::string& name)
@@ -288,8 +288,16 @@ nlohmann::ordered_json equal_accuracy(const std::vector<ContestantOutcome>& outc
     std::deque<Sweep> sweeps; // referred to while it grows
     ProcessPool pool(options.at_once);
     for (const ContestantOutcome& outcome : outcomes)
-        if (outcome.done() && outcome.entry.knob != Knob::kNone)
-            add_trial(pool, sweeps.emplace_back(outcome, goal), aimed, reference, options, clock);
+    {
+        if (!outcome.done() || outcome.entry.knob == Knob::kNone)
+            continue;
+        Sweep& sweep = sweeps.emplace_back(outcome, goal);
+        if (has_lost_more(outcome, *marching_cubes))
+            sweep.stop(
+                "it has fewer surfaces than marching cubes, and finer criteria do not bring them back");
+        for (const Goal one : kGoals)
+            add_trial(pool, sweep, one, aimed, reference, options, clock);
+    }
     pool.run();
 
     Json contestants = Json::array();

@@ -46,9 +46,9 @@ public:
                                                          field_.spacing.z * p.z()});
         for (const openvdb::Vec3I& triangle : triangles_)
             mesh.faces.push_back({triangle[0], triangle[1], triangle[2]});
-        clamp_to_border(mesh, field_.border);
         for (const openvdb::Vec4I& quad : quads_)
             add_quad(quad, mesh);
+        close_on_border(mesh, field_.border);
         wind_outward(mesh);
         return mesh;
     }

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "mesh/measures.h"
+#include "mesh/topology.h"
 
 namespace voroprobe
 {
@@ -150,11 +151,17 @@ PeerField padded(const PeerField& field)
     return result;
 }
 
-void clamp_to_border(TriangleMesh& mesh, const Box3& border)
+void close_on_border(TriangleMesh& mesh, const Box3& border)
 {
     for (Point3& p : mesh.vertices)
         for (std::size_t axis = 0; axis < 3; ++axis)
             p[axis] = std::clamp(p[axis], border.min[axis], border.max[axis]);
+    mesh = weld(mesh);
+    std::vector<bool> kept;
+    kept.reserve(mesh.faces.size());
+    for (const auto& [a, b, c] : mesh.faces)
+        kept.push_back(a != b && b != c && c != a);
+    mesh = with_faces(mesh, kept);
 }
 
 void wind_outward(TriangleMesh& mesh)

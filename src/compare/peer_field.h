@@ -29,8 +29,10 @@ PeerField make_peer_field(const MeshingTask& task);
 //! The field with one layer of outside samples around it: the lowest sample.
 PeerField padded(const PeerField& field);
 
-//! Moves what lies beyond the border onto it: caps of a surface made of the padded field.
-void clamp_to_border(TriangleMesh& mesh, const Box3& border);
+//! Moves what lies beyond the border onto it: caps of a surface made of the padded field. Where two or three
+//! sides of the border meet, vertices of their caps fall together: they are made one, and faces between them
+//! are left out.
+void close_on_border(TriangleMesh& mesh, const Box3& border);
 
 //! Faces turned over where the mesh as a whole winds inward.
 void wind_outward(TriangleMesh& mesh);

@@ -92,6 +92,19 @@ Point3 nearest_to_eye(const TriangleMesh& mesh, const Box3& box)
     return best;
 }
 
+//! The faces that the close-up may show, from front to back.
+TriangleMesh near_line(const TriangleMesh& mesh, const Point3& target, double radius)
+{
+    std::vector<bool> kept;
+    kept.reserve(mesh.faces.size());
+    for (const TriangleMesh::Face& face : mesh.faces)
+    {
+        const Vec3 from_target = mesh.corner(face, 0) - target;
+        kept.push_back(norm(from_target - dot(from_target, kDirection) * kDirection) < radius);
+    }
+    return with_faces(mesh, kept);
+}
+
 std::string png_of(vtkRenderWindow* window)
 {
     const auto pixels = vtkSmartPointer<vtkWindowToImageFilter>::New();
@@ -111,16 +124,17 @@ std::string png_of(vtkRenderWindow* window)
 
 std::string draw_picture(const TriangleMesh& mesh, const Box3& box)
 {
-    const vtkSmartPointer<vtkPolyData> surface = to_polydata(mesh);
+    const double diagonal = box.diagonal();
+    const Point3 target = nearest_to_eye(mesh, box);
     const auto window = vtkSmartPointer<vtkRenderWindow>::New();
     window->SetOffScreenRendering(1);
     window->SetMultiSamples(4);
     window->SetSize(kWidth, kHeight);
-    const auto whole = actor_of(surface, Edges::kHidden);
-    const auto close = actor_of(surface, Edges::kShown);
-    const double diagonal = box.diagonal();
+    const auto whole = actor_of(to_polydata(mesh), Edges::kHidden);
+    const auto close =
+        actor_of(to_polydata(near_line(mesh, target, kCloseUpShare * diagonal)), Edges::kShown);
     const auto left = view_of(whole, box.center(), 0.85 * diagonal, diagonal);
-    const auto right = view_of(close, nearest_to_eye(mesh, box), kCloseUpShare * diagonal, diagonal);
+    const auto right = view_of(close, target, kCloseUpShare * diagonal, diagonal);
     left->SetViewport(0.0, 0.0, 0.5, 1.0);
     right->SetViewport(0.5, 0.0, 1.0, 1.0);
     window->AddRenderer(left);

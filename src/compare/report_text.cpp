@@ -79,27 +79,42 @@ std::string about_reference(const Json& reference, bool ours_is_done)
     return "Marching cubes has " + surfaces(reference) + " in " + vertices(reference) + ", and " + angles;
 }
 
-//! "0.30 of its vertices", or that it was not reached.
-std::string at_equal(const Json& best)
+//! The trial with the smallest distance.
+const Json& nearest_trial(const Json& sweep, const char* key)
 {
+    const Json& trials = sweep.at("trials");
+    return *std::min_element(trials.begin(), trials.end(),
+                             [&](const Json& a, const Json& b) { return a.at(key) < b.at(key); });
+}
+
+//! "by the RMS distance (0.29 mm) with 0.53 of its vertices", or that it was not reached, and how near it
+//! came.
+std::string at_equal(const Json& sweep, const Json& reference, const std::string& words, const char* answer,
+                     const char* key)
+{
+    const std::string goal = "by the " + words + " distance (" + millimetres(reference.at(key)) + ") ";
+    const Json& best = sweep.at(answer);
     if (best.is_null())
-        return "more vertices than were tried";
+    {
+        const Json& nearest = nearest_trial(sweep, key);
+        return goal + "with no mesh that was tried (" + millimetres(nearest.at(key)) + " with " +
+               vertices(nearest) + ")";
+    }
     const double of_reference = best.at("of_reference");
-    return ratio(of_reference) + (of_reference > 1.0 ? " times" : " of") + " its vertices" +
-           (of_reference > 1.0 ? ", more and not fewer" : "");
+    return goal + "with " + ratio(of_reference) +
+           (of_reference > 1.0 ? " times its vertices, more and not fewer" : " of its vertices");
 }
 
 std::string about_equal_accuracy(const Json& equal)
 {
     if (equal.is_null())
         return {};
-    for (const Json& contestant : equal.at("contestants"))
-        if (contestant.at("name") == kOurs)
-            return " To be as near to the scan as marching cubes, Voroprobe needs " +
-                   at_equal(contestant.at("at_equal_max")) + " by the largest distance (" +
-                   millimetres(equal.at("reference").at("max_mm")) + ") and " +
-                   at_equal(contestant.at("at_equal_rms")) + " by the RMS distance (" +
-                   millimetres(equal.at("reference").at("rms_mm")) + ").";
+    const Json& reference = equal.at("reference");
+    for (const Json& sweep : equal.at("contestants"))
+        if (sweep.at("name") == kOurs)
+            return " Voroprobe is as near to the scan as marching cubes " +
+                   at_equal(sweep, reference, "RMS", "at_equal_rms", "rms_mm") + ", and " +
+                   at_equal(sweep, reference, "largest", "at_equal_max", "max_mm") + ".";
     return {};
 }
 

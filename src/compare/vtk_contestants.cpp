@@ -92,7 +92,7 @@ TriangleMesh marching_cubes(const PeerField& padded_field, StageClock& clock)
 {
     clock.begin("marching cubes");
     TriangleMesh mesh = to_mesh(*flying_edges(padded_field));
-    clamp_to_border(mesh, padded_field.border);
+    close_on_border(mesh, padded_field.border);
     wind_outward(mesh);
     return mesh;
 }

@@ -83,6 +83,22 @@ TEST(Contestants, marching_cubes_caps_lie_on_the_border_exactly)
     EXPECT_LT(distance.max, 0.1); // of a padded cap it would be up to a voxel
 }
 
+//! Around the corner of a volume vertices of three caps fall together.
+TEST(Contestants, marching_cubes_are_closed_and_manifold_around_a_corner_of_the_volume)
+{
+    const ComparedPhantom phantom = compared_phantom(sphere_phantom({0.1, 0.2, 0.3}, 8.0), {13, 13, 13});
+    for (const auto& make : {make_marching_cubes, make_openvdb})
+    {
+        const auto contestant = make(phantom.task);
+        StageClock clock;
+        contestant->mesh(clock);
+        const TriangleMesh mesh = contestant->result();
+        EXPECT_TRUE(is_closed_manifold(mesh));
+        EXPECT_EQ(euler_characteristic(mesh), 2);
+        EXPECT_NEAR(enclosed_volume(mesh), kBallVolume / 8.0, 0.15 * kBallVolume / 8.0);
+    }
+}
+
 TEST(Contestants, make_mesh_3_without_its_scan_misses_small_parts_and_ours_does_not)
 {
     std::vector<LevelFunction> shapes{sphere_phantom({20, 20, 20}, 14.0)};

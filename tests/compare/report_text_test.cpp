@@ -63,13 +63,19 @@ TEST(ReportText, the_headline_is_plain_where_ours_is_no_better)
     json["equal_accuracy"] = {{"reference", {{"max_mm", 0.5}, {"rms_mm", 0.1}}},
                               {"contestants",
                                {{{"name", "voroprobe"},
+                                 {"trials",
+                                  {{{"vertices", 98000}, {"max_mm", 0.9}, {"rms_mm", 0.2}},
+                                   {{"vertices", 400000}, {"max_mm", 0.7}, {"rms_mm", 0.1}}}},
                                  {"at_equal_max", nullptr},
                                  {"at_equal_rms", {{"vertices", 400000}, {"of_reference", 1.18}}}}}}};
     const std::string text = headline(json);
-    EXPECT_NE(text.find("needs more vertices than were tried by the largest distance (0.5 mm)"),
-              std::string::npos)
+    EXPECT_NE(
+        text.find(
+            "by the largest distance (0.5 mm) with no mesh that was tried (0.7 mm with 400,000 vertices)"),
+        std::string::npos)
         << text;
-    EXPECT_NE(text.find("1.18 times its vertices, more and not fewer by the RMS distance"), std::string::npos)
+    EXPECT_NE(text.find("by the RMS distance (0.1 mm) with 1.18 times its vertices, more and not fewer"),
+              std::string::npos)
         << text;
 }
 
