@@ -24,7 +24,7 @@ export function sortableTable({ caption, columns, rows, most = Infinity, fails =
   function cell(column, row, i) {
     const value = column.value(row);
     const shown = column.show ? column.show(row) : String(value);
-    const attributes = { "data-path": column.path, "data-value": typeof value === "number" || typeof value === "boolean" ? value : null };
+    const attributes = { "data-path": column.path, "data-value": typeof value === "number" || typeof value === "boolean" ? String(value) : null };
     return i === 0 ? element("th", { scope: "row" }, shown) : element("td", { ...attributes, class: column.wide && "wide" }, shown);
   }
 

@@ -55,11 +55,15 @@ constexpr double kNearer = 1.1;
 constexpr double kLargestStep = 4.0;
 constexpr double kBeyond = 1.15;
 
-//! The search ends where the next trial would change the factor by less: its vertices by a tenth.
-constexpr double kSmallestChange = 1.05;
+//! Between two trials the next one aims at this share of the goal: a hair beyond it, and the trial is for
+//! nothing.
+constexpr double kJustBelow = 0.99;
+
+//! The search ends where the next trial would change the factor by less: its vertices by 3 %.
+constexpr double kSmallestChange = 1.015;
 
 //! Runs of a contestant for one goal, at most.
-constexpr std::size_t kTrialsPerGoal = 3;
+constexpr std::size_t kTrialsPerGoal = 4;
 
 double value(const Trial& trial, Goal goal)
 {
@@ -114,7 +118,7 @@ private:
         if (ratio < kSmallestChange * kSmallestChange)
             return std::nullopt;
         const double whole = std::log(value(bad, goal) / value(good, goal));
-        const double part = std::log(target(goal) / value(good, goal));
+        const double part = std::log(kJustBelow * target(goal) / value(good, goal));
         return good.factor * std::pow(ratio, std::clamp(part / whole, 0.25, 0.75));
     }
 
