@@ -21,7 +21,7 @@ set(public_headers
     src/geometry/oriented_point.h
     src/volume/region.h src/volume/level.h src/volume/grid_geometry.h src/volume/volume.h src/volume/statistics.h
     src/volume/lattice_frame.h src/volume/height_field.h src/volume/region_runs.h src/volume/inventory.h
-    src/mesh/triangle_mesh.h src/mesh/topology.h src/mesh/measures.h
+    src/mesh/triangle_mesh.h src/mesh/topology.h src/mesh/measures.h src/mesh/mesh_part.h
     oracles/surface_oracle.h oracles/trilinear_oracle.h oracles/vdb_oracle.h oracles/implicit_oracle.h
     oracles/implicit_domain.h oracles/implicit_expression.h oracles/scalar_field.h
     oracles/parametric_oracle.h oracles/point_cloud_oracle.h oracles/sphere_union_oracle.h oracles/triangle_mesh_oracle.h
