@@ -28,7 +28,7 @@ set(public_headers
     src/mesher/meshing_options.h src/mesher/seeded_mesher.h
     src/certificate/certificate.h src/certificate/criteria_exceptions.h src/certificate/mesh_check.h src/certificate/mesh_pieces.h
     src/certificate/nearest_crossing.h src/certificate/self_intersections.h src/certificate/surface_distance.h
-    src/labels/group_meshing.h src/labels/index_box.h src/labels/label_meshing.h src/labels/label_survey.h src/labels/part_groups.h
+    src/labels/group_meshing.h src/labels/index_box.h src/labels/joint_meshing.h src/labels/label_meshing.h src/labels/label_survey.h src/labels/part_groups.h
     src/labels/smoothing.h
     io/label_table.h io/volume_reader.h io/mesh_writer.h io/mesh_reader.h)
 foreach(header ${public_headers})

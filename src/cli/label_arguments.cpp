@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include <CLI/CLI.hpp>
+
 #include "cli/label_ranges.h"
 #include "cli/option_group.h"
 #include "cli/option_values.h"
@@ -19,13 +21,15 @@ LabelSmoothing parse_smoothing(const std::string& given)
         return {.method = SmoothingMethod::kNone};
     if (given == "antialias")
         return {.method = SmoothingMethod::kAntialias};
+    if (given == "joint")
+        return {.method = SmoothingMethod::kJoint};
     if (given == kGaussian)
         return {.method = SmoothingMethod::kGaussian};
     if (given.starts_with(std::string(kGaussian) + ':'))
         return {.method = SmoothingMethod::kGaussian,
                 .sigma = parse_number("--smooth gaussian",
                                       std::string_view(given).substr(kGaussian.size() + 1), kLength)};
-    refuse_value("--smooth", given, "none, gaussian, gaussian:SIGMA (mm) or antialias");
+    refuse_value("--smooth", given, "none, gaussian, gaussian:SIGMA (mm), antialias or joint");
 }
 
 } // namespace
@@ -46,9 +50,13 @@ void add_label_options(CLI::App& command, LabelArguments& arguments)
                    LabelRanges("--exclude", given);
                    arguments.exclude = given;
                });
-    group.text("--smooth", "none|gaussian:SIGMA|antialias",
+    group.text("--smooth", "none|gaussian:SIGMA|antialias|joint",
                "How the staircase of voxels is smoothed; SIGMA in mm (default\ngaussian: SIGMA 1 m)",
                [&arguments](const std::string& given) { arguments.smoothing = parse_smoothing(given); });
+    command
+        .add_flag("--shared-interfaces", arguments.shared_interfaces,
+                  "Neighbours have the same triangles where they touch (--smooth\njoint says the same)")
+        ->group("Label maps");
     group.text(
         "--names", "FILE",
         "Names and colours of the labels: ITK-SNAP, FreeSurfer, Slicer\n(.ctbl), or `number name` lines",

@@ -22,6 +22,8 @@ struct LabelArguments
     std::optional<LabelSmoothing> smoothing = std::nullopt; //!< sigma 0 where none was given
     std::optional<std::filesystem::path> names = std::nullopt;
 
+    bool shared_interfaces = false; //!< smoothing is joint then
+
     [[nodiscard]] bool wanted() const { return labels.has_value(); }
 };
 

@@ -129,12 +129,15 @@ void check_label_arguments(const MeshArguments& arguments)
     if (!labels.wanted())
     {
         for (const auto& [given, option] : {std::pair{labels.exclude.has_value(), "--exclude"},
+                                            {labels.shared_interfaces, "--shared-interfaces"},
                                             {labels.smoothing.has_value(), "--smooth"},
                                             {labels.names.has_value(), "--names"}})
             if (given)
                 throw UsageError(std::string(option) + " goes with --labels only");
         return;
     }
+    if (labels.shared_interfaces && labels.smoothing && labels.smoothing->method != SmoothingMethod::kJoint)
+        throw UsageError("--smooth smooths each label by itself; allowed with --shared-interfaces: joint");
     refuse_with_labels(arguments.formula.has_value(), "--implicit");
     refuse_with_labels(arguments.isovalue.has_value(), "--isovalue");
     refuse_with_labels(arguments.inside.has_value(), "--inside");

@@ -12,6 +12,7 @@
 #include "cli/summary.h"
 #include "cli/warnings.h"
 #include "io/mesh_writer.h"
+#include "labels/joint_meshing.h"
 #include "support/error.h"
 #include "support/number_text.h"
 #include "support/stopwatch.h"
@@ -40,6 +41,8 @@ LabelMeshingOptions options_of(const MeshArguments& arguments, const LabelMap& m
     LabelMeshingOptions options{.criteria = meshing_options(arguments.criteria, voxel),
                                 .smoothing = arguments.label_map.smoothing.value_or(
                                     LabelSmoothing{.method = SmoothingMethod::kGaussian})};
+    if (arguments.label_map.shared_interfaces)
+        options.smoothing.method = SmoothingMethod::kJoint;
     options.criteria.isolated_vertices = arguments.isolated_vertices;
     if (options.smoothing.sigma == 0.0)
         options.smoothing.sigma = kDefaultSigmaInMeanSides * voxel.mean_side;
@@ -61,17 +64,21 @@ void mesh_and_write(LabelsRun& run, LabelOutput& output, ProgressSink& progress)
                 places.push_back(label.mesh.label);
                 outcome_at.emplace(label.mesh.label, &label);
             }
-        mesh_labels(run.map.layers[layer], places, run.map.spacing, run.options, run.threads, &progress,
-                    [&](LabelMesh mesh)
-                    {
-                        LabelOutcome& label = *outcome_at.at(mesh.label);
-                        label.vertices = mesh.mesh.vertices.size();
-                        label.faces = mesh.mesh.faces.size();
-                        transform(mesh.mesh, to_output);
-                        output.take(label, std::move(mesh.mesh));
-                        label.mesh = std::move(mesh);
-                        label.done = true;
-                    });
+        const auto take = [&](LabelMesh mesh)
+        {
+            LabelOutcome& label = *outcome_at.at(mesh.label);
+            label.vertices = mesh.mesh.vertices.size();
+            label.faces = mesh.mesh.faces.size();
+            transform(mesh.mesh, to_output);
+            output.take(label, std::move(mesh.mesh));
+            label.mesh = std::move(mesh);
+            label.done = true;
+        };
+        const LabelSurvey& survey = run.map.layers[layer];
+        if (run.options.smoothing.method == SmoothingMethod::kJoint)
+            mesh_labels_jointly(survey, places, run.map.spacing, run.options.criteria, &progress, take);
+        else
+            mesh_labels(survey, places, run.map.spacing, run.options, run.threads, &progress, take);
     }
     output.finish();
     run.timings.refinement = clock.seconds();

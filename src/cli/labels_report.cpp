@@ -77,6 +77,8 @@ std::string smoothing_text(const LabelSmoothing& smoothing)
         return "gaussian, sigma " + number_text(smoothing.sigma) + " mm";
     case SmoothingMethod::kAntialias:
         return "antialias";
+    case SmoothingMethod::kJoint:
+        return "joint, with shared interfaces";
     }
     return {};
 }
@@ -190,6 +192,7 @@ Json label_json(const LabelOutcome& label)
             {"volume_change_percent", 100.0 * label.mesh.volume_change()},
             {"vertices", label.vertices},
             {"faces", label.faces},
+            {"touching_edges", label.mesh.touching_edges},
             {"faces_below_angle_bound", label.mesh.faces_below_angle}};
 }
 
@@ -204,6 +207,15 @@ Json parameters_json(const LabelsRun& run)
             {"reach_mm", criteria.reach_lower_bound},
             {"frame_of_reference", frame_name(run.arguments.frame)},
             {"threads", run.threads}};
+}
+
+//! Meshes that are made jointly are not held against the cavities of the label map.
+std::string cavities_line(const LabelsRun& run, const Totals& sum)
+{
+    if (run.options.smoothing.method == SmoothingMethod::kJoint)
+        return info_line("cavities", "not compared with those of the label map");
+    return info_line("cavities", count_text(sum.cavities_expected) + " in the label map, " +
+                                     count_text(sum.cavities_meshed) + " meshed");
 }
 
 std::string criteria_text(const MeshingOptions& options)
@@ -230,8 +242,7 @@ std::string labels_report(const LabelsRun& run)
            info_line("parts", count_text(sum.parts_expected) + " in the label map (26 neighbours), " +
                                   count_text(sum.parts_meshed) + " meshed, " +
                                   count_text(sum.parts_restored) + " of them kept from being smoothed away") +
-           info_line("cavities", count_text(sum.cavities_expected) + " in the label map, " +
-                                     count_text(sum.cavities_meshed) + " meshed") +
+           cavities_line(run, sum) +
            info_line("volume", number_text(sum.voxel_volume) + " mm3 of voxels, " +
                                    number_text(sum.mesh_volume) +
                                    " mm3 of meshes; largest change of a label " +

@@ -90,6 +90,7 @@ std::vector<float> smoothed_heights(const PartMask& mask, const Vec3& spacing,
     case SmoothingMethod::kAntialias:
         return antialiased(mask, spacing);
     case SmoothingMethod::kNone:
+    case SmoothingMethod::kJoint:
         break;
     }
     std::vector<float> heights(mask.part.size());

@@ -11,9 +11,10 @@ namespace voroprobe
 //! How the staircase of voxels is smoothed.
 enum class SmoothingMethod
 {
-    kNone,     //!< not: halfway between the voxels of a mask of 0 and 1
-    kGaussian, //!< the mask blurred
-    kAntialias //!< the surface of least area between the voxels inside and outside, about
+    kNone,      //!< not: halfway between the voxels of a mask of 0 and 1
+    kGaussian,  //!< the mask blurred
+    kAntialias, //!< the surface of least area between the voxels inside and outside, about
+    kJoint      //!< all labels together; for mesh_labels_jointly() alone
 };
 
 struct LabelSmoothing
@@ -27,7 +28,8 @@ struct LabelSmoothing
 //!
 //! kGaussian: ITK's DiscreteGaussianImageFilter. kAntialias: ITK's AntiAliasBinaryImageFilter; source:
 //! Whitaker, Reducing aliasing artifacts in iso-surfaces of binary volumes, 2000. Both run on the thread that
-//! calls. `spacing`: scan units. Cost: some passes over the samples; some dozen for kAntialias.
+//! calls. kJoint gives what kNone does. `spacing`: scan units. Cost: some passes over the samples; some dozen
+//! for kAntialias.
 std::vector<float> smoothed_heights(const PartMask& mask, const Vec3& spacing,
                                     const LabelSmoothing& smoothing);
 

@@ -29,7 +29,7 @@ THIRD_PARTIES = {
     "VTK": (("vtk",), ["io", "src/compare"]),
     "libtiff": (("tiffio.h",), ["io"]),
     "zlib": (("zlib.h",), ["io", "src/compare"]),
-    "CGAL": (("CGAL/", "boost/"), ["oracles", "src/mesher", "src/certificate", "src/compare"]),
+    "CGAL": (("CGAL/", "boost/"), ["oracles", "src/mesher", "src/certificate", "src/compare", "src/labels"]),
     "TBB": (("tbb/", "oneapi/tbb"), ["src/support", "src/volume", "src/mesher", "src/certificate", "src/labels", "src/compare"]),
     "muParser": (("muParser",), ["oracles"]),
     "CLI11": (("CLI/",), ["src/cli"]),

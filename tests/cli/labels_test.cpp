@@ -107,6 +107,7 @@ TEST_F(LabelsTest, what_cannot_be_meant_is_refused_before_anything_is_written)
     expect_refused({"--labels", "all", "--isovalue", "0.5"}, {"--isovalue", "--labels"});
     expect_refused({"--labels", "all", "--smooth", "gaussian:0"}, {"gaussian", "'0'"});
     expect_refused({"--labels", "all", "--smooth", "soft"}, {"--smooth", "'soft'", "antialias"});
+    expect_refused({"--labels", "all", "--shared-interfaces", "--smooth", "none"}, {"--smooth", "joint"});
     expect_refused({"--smooth", "none", "--isovalue", "1"}, {"--smooth", "--labels"});
     expect_refused({"--labels", "all"}, {"3 labels", "{name}"}, "out/mesh.stl");
     program::write_text(folder_ / "names.txt", "1 twin\n2 twin\n");
@@ -122,6 +123,15 @@ TEST_F(LabelsTest, all_labels_go_to_one_file_of_a_format_that_keeps_them_apart)
         EXPECT_EQ(count_components(read), 4U) << output;
     }
     EXPECT_NE(program::read_text(folder_ / "all.obj").find("g label_7 label_7\n"), std::string::npos);
+}
+
+TEST_F(LabelsTest, neighbours_can_share_their_triangles)
+{
+    const Outcome outcome = mesh({"--labels", "all", "--shared-interfaces", "--summary", folder_ / "s.json"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const auto summary = nlohmann::json::parse(program::read_text(folder_ / "s.json"));
+    for (const auto& label : summary.at("labels"))
+        EXPECT_TRUE(analyze_topology(weld(read_mesh(label.at("path").get<std::string>()))).closed());
 }
 
 TEST_F(LabelsTest, a_scan_is_not_taken_for_a_label_map)

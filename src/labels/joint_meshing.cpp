@@ -1,0 +1,62 @@
+#include "labels/joint_meshing.h"
+
+#include <algorithm>
+#include <string>
+
+#include "labels/interface_meshing.h"
+#include "labels/label_partition.h"
+#include "mesh/measures.h"
+#include "mesh/topology.h"
+
+namespace voroprobe
+{
+namespace
+{
+
+void list_faults(const LabelSurvey& survey, const InterfaceMesh& interfaces, LabelMesh& label)
+{
+    const auto blame = [&](std::span<const std::uint32_t> parts, const std::string& reason)
+    {
+        for (const std::uint32_t part : parts)
+            if (survey.parts()[part].label == label.label)
+                label.faults.push_back({part, reason});
+    };
+    blame(interfaces.missing_parts, "too small for the triangulation: no Delaunay cell has it");
+    blame(interfaces.merged_parts, "joined with another part of the label");
+}
+
+LabelMesh gather(const LabelSurvey& survey, const InterfaceMesh& interfaces, std::uint32_t place,
+                 const Vec3& spacing, double min_angle_deg)
+{
+    const SurveyedLabel& surveyed = survey.labels()[place];
+    LabelMesh label{
+        .label = place, .mesh = mesh_of_label(interfaces, place + 1), .faults = {}, .broken_promises = {}};
+    const MeshTopology topology = analyze_topology(label.mesh);
+    if (topology.boundary_edges + topology.misoriented_edges > 0)
+        label.broken_promises.push_back(
+            std::to_string(topology.boundary_edges) + " edges on one face only, " +
+            std::to_string(topology.misoriented_edges) + " whose faces wind against each other");
+    label.touching_edges = topology.non_manifold_edges;
+    list_faults(survey, interfaces, label);
+    label.parts_meshed = surveyed.parts.size() - label.faults.size();
+    label.voxel_volume = spacing.x * spacing.y * spacing.z * static_cast<double>(surveyed.voxels);
+    label.mesh_volume = enclosed_volume(label.mesh);
+    label.faces_below_angle = count_faces_below_angle(label.mesh, min_angle_deg);
+    return label;
+}
+
+} // namespace
+
+void mesh_labels_jointly(const LabelSurvey& survey, std::span<const std::uint32_t> labels,
+                         const Vec3& spacing, const MeshingOptions& criteria, ProgressSink* progress,
+                         const std::function<void(LabelMesh)>& done)
+{
+    const LabelPartition partition(survey, labels, spacing);
+    const InterfaceMesh interfaces = mesh_interfaces(survey, labels, spacing, partition, criteria, progress);
+    if (interfaces.status != MeshingStatus::kDone)
+        return;
+    for (const std::uint32_t place : labels)
+        done(gather(survey, interfaces, place, spacing, criteria.min_facet_angle_deg));
+}
+
+} // namespace voroprobe
