@@ -1,116 +1,40 @@
 #include "bench/paper_figures_output.h"
 
 #include <algorithm>
-#include <array>
 #include <iomanip>
 #include <ostream>
 #include <sstream>
 
-#include <nlohmann/json.hpp>
+#include "bench/line_plot.h"
 
 namespace voroprobe::bench
 {
 namespace
 {
 
-// The plot, in pixels.
-constexpr double kLeft = 60.0;
-constexpr double kTop = 40.0;
-constexpr double kWidth = 440.0;
-constexpr double kHeight = 260.0;
-constexpr double kLegendWidth = 190.0;
-
-// Distinct in gray as well (Okabe & Ito 2008).
-constexpr std::array<const char*, 6> kColors = {"#e69f00", "#56b4e9", "#cc79a7",
-                                                "#d55e00", "#009e73", "#0072b2"};
-
-class Plot
+//! The mean fraction meshed against the number of components, a line for each method.
+LinePlot plot_of(const Figure& figure)
 {
-public:
-    explicit Plot(const Figure& figure) : figure_(figure)
+    LinePlot plot{.title = figure.title,
+                  .x = {.label = figure.counted + "; meshed, mean"},
+                  .y = {.label = "", .high = 100.0}};
+    for (const int percent : {0, 20, 40, 60, 80, 100})
+        plot.y.ticks.emplace_back(percent, std::to_string(percent) + " %");
+    for (const Row& row : figure.rows)
     {
-        for (const Row& row : figure.rows)
-        {
-            most_ = std::max(most_, row.components);
-            if (std::find(methods_.begin(), methods_.end(), row.method) == methods_.end())
-                methods_.push_back(row.method);
-        }
+        const auto components = static_cast<double>(row.components);
+        plot.x.high = std::max(plot.x.high, components);
+        const Tick tick{components, std::to_string(row.components)};
+        if (std::find(plot.x.ticks.begin(), plot.x.ticks.end(), tick) == plot.x.ticks.end())
+            plot.x.ticks.push_back(tick);
+        auto line = std::find_if(plot.series.begin(), plot.series.end(),
+                                 [&](const PlotSeries& series) { return series.name == row.method; });
+        if (line == plot.series.end())
+            line = plot.series.insert(line, PlotSeries{row.method, {}});
+        line->points.emplace_back(components, 100.0 * row.mean_fraction());
     }
-
-    std::string text()
-    {
-        svg_ << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << kLeft + kWidth + kLegendWidth
-             << "\" height=\"" << kTop + kHeight + 50.0 << "\" font-family=\"sans-serif\" font-size=\"12\">\n"
-             << "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
-        label(kLeft, kTop - 16.0, "start", figure_.title);
-        draw_axes();
-        for (std::size_t i = 0; i < methods_.size(); ++i)
-            draw_method(i);
-        svg_ << "</svg>\n";
-        return svg_.str();
-    }
-
-private:
-    [[nodiscard]] double x(std::size_t components) const
-    {
-        return kLeft + kWidth * static_cast<double>(components) / static_cast<double>(most_);
-    }
-
-    static double y(double fraction) { return kTop + kHeight * (1.0 - fraction); }
-
-    void label(double at_x, double at_y, const char* anchor, const std::string& text)
-    {
-        svg_ << "<text x=\"" << at_x << "\" y=\"" << at_y << "\" text-anchor=\"" << anchor << "\">" << text
-             << "</text>\n";
-    }
-
-    void line(double x1, double y1, double x2, double y2, const char* color)
-    {
-        svg_ << "<line x1=\"" << x1 << "\" y1=\"" << y1 << "\" x2=\"" << x2 << "\" y2=\"" << y2
-             << "\" stroke=\"" << color << "\"/>\n";
-    }
-
-    void draw_axes()
-    {
-        for (int percent = 0; percent <= 100; percent += 20)
-        {
-            const double height = y(0.01 * percent);
-            line(kLeft, height, kLeft + kWidth, height, percent == 0 ? "black" : "#dddddd");
-            label(kLeft - 6.0, height + 4.0, "end", std::to_string(percent) + " %");
-        }
-        line(kLeft, kTop, kLeft, kTop + kHeight, "black");
-        std::vector<std::size_t> ticks;
-        for (const Row& row : figure_.rows)
-            if (std::find(ticks.begin(), ticks.end(), row.components) == ticks.end())
-                ticks.push_back(row.components);
-        for (const std::size_t tick : ticks)
-            label(x(tick), kTop + kHeight + 16.0, "middle", std::to_string(tick));
-        label(kLeft + 0.5 * kWidth, kTop + kHeight + 36.0, "middle", figure_.counted + "; meshed, mean");
-    }
-
-    void draw_method(std::size_t index)
-    {
-        const char* color = kColors[index % kColors.size()];
-        std::ostringstream points;
-        for (const Row& row : figure_.rows)
-            if (row.method == methods_[index])
-            {
-                points << x(row.components) << ',' << y(row.mean_fraction()) << ' ';
-                svg_ << "<circle cx=\"" << x(row.components) << "\" cy=\"" << y(row.mean_fraction())
-                     << "\" r=\"3\" fill=\"" << color << "\"/>\n";
-            }
-        svg_ << "<polyline fill=\"none\" stroke-width=\"2\" stroke=\"" << color << "\" points=\""
-             << points.str() << "\"/>\n";
-        const double height = kTop + 18.0 * static_cast<double>(index) + 10.0;
-        line(kLeft + kWidth + 16.0, height, kLeft + kWidth + 36.0, height, color);
-        label(kLeft + kWidth + 42.0, height + 4.0, "start", methods_[index]);
-    }
-
-    const Figure& figure_;
-    std::vector<std::string> methods_;
-    std::size_t most_ = 1;
-    std::ostringstream svg_;
-};
+    return plot;
+}
 
 } // namespace
 
@@ -119,8 +43,12 @@ bool Figure::keeps_promises() const
     return std::all_of(rows.begin(), rows.end(), [](const Row& row) { return row.keeps_promise(); });
 }
 
-void print_table(std::ostream& out, const Figure& figure)
+namespace
 {
+
+std::string table_of(const Figure& figure)
+{
+    std::ostringstream out;
     constexpr double kPercent = 100.0;
     out << "Figure " << figure.number << ": " << figure.title << " (seed " << figure.seed << ")\n"
         << "method                 " << std::setw(11) << figure.counted
@@ -135,6 +63,7 @@ void print_table(std::ostream& out, const Figure& figure)
             << std::setw(10) << row.mean_seconds() << (row.keeps_promise() ? "" : "  NOT COMPLETE") << '\n';
     if (!figure.note.empty())
         out << figure.note << '\n';
+    return out.str();
 }
 
 nlohmann::json to_json(const Figure& figure)
@@ -159,9 +88,11 @@ nlohmann::json to_json(const Figure& figure)
             {"rows", rows}};
 }
 
-std::string to_svg(const Figure& figure)
+} // namespace
+
+Report report_of(const Figure& figure)
 {
-    return Plot(figure).text();
+    return {table_of(figure), to_json(figure), to_svg(plot_of(figure)), figure.keeps_promises()};
 }
 
 } // namespace voroprobe::bench

@@ -1,12 +1,10 @@
 #pragma once
 
-#include <iosfwd>
 #include <string>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "bench/paper_figures_trials.h"
+#include "bench/paper_report.h"
 
 namespace voroprobe::bench
 {
@@ -24,15 +22,10 @@ struct Figure
     [[nodiscard]] bool keeps_promises() const;
 };
 
-void print_table(std::ostream& out, const Figure& figure);
-
-//! {figure, title, seed, note, rows}; of each row the method, the number of components under the name
-//! `counted`, trials, complete_trials, fraction_meshed (the mean; beside it the least and the standard
+//! The JSON is {figure, title, seed, note, rows}; of each row the method, the number of components under the
+//! name `counted`, trials, complete_trials, fraction_meshed (the mean; beside it the least and the standard
 //! deviation), and means over the trials: oracle_queries (segments), certificates (boxes), vertices, seconds.
-nlohmann::json to_json(const Figure& figure);
-
-//! A plot of the fraction meshed against the number of components, a line for each method, as an SVG file's
-//! text.
-std::string to_svg(const Figure& figure);
+//! The plot has the fraction meshed against the number of components, a line for each method.
+Report report_of(const Figure& figure);
 
 } // namespace voroprobe::bench

@@ -25,6 +25,20 @@ struct Scene
     std::function<std::size_t(const Point3&)> component_at;
 
     MeshingOptions options;
+
+    //! The reach of the surface, or a little less; 0 where it is not known.
+    double reach = 0.0;
+};
+
+//! Signed distance to a torus, positive inside.
+struct Torus
+{
+    Point3 center;
+    std::size_t axis; //!< of the frame
+    double ring;      //!< radius of the circle in the middle of the tube
+    double tube;      //!< radius
+
+    [[nodiscard]] double depth(const Point3& p) const;
 };
 
 //! Figures 3, 7 and 8: `count` spheres of radius at least 1 (at most 50, its logarithm uniform), at least 1
@@ -43,5 +57,14 @@ Scene sphere_grid(std::size_t side, double spacing);
 
 //! Figure 8, right: x^2 + y^2 + z^2 + sin(4x) + sin(4y) + sin(4z) = 0.
 Scene implicit_surface();
+
+//! Theorem: three spheres of radii 1 to 2, at least 1 apart.
+Scene few_spheres(Random& random);
+
+//! Theorem: one torus, ring 1.2 to 2 and tube 0.4 to 0.8, around any axis of the frame.
+Scene random_torus(Random& random);
+
+//! One torus around the z axis.
+Scene single_torus(double ring, double tube);
 
 } // namespace voroprobe::bench

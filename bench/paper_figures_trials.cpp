@@ -71,17 +71,6 @@ bool is_copy(const Piece& piece, const Scene& scene)
            piece.euler_characteristic() == scene.euler_characteristics[*piece.components.begin()];
 }
 
-void judge(const std::vector<Piece>& pieces, const Scene& scene, Trial& trial)
-{
-    std::set<std::size_t> meshed;
-    for (const Piece& piece : pieces)
-        if (is_copy(piece, scene))
-            meshed.insert(*piece.components.begin());
-    trial.components = scene.euler_characteristics.size();
-    trial.meshed = meshed.size();
-    trial.complete = meshed.size() == trial.components && pieces.size() == trial.components;
-}
-
 template <class Value>
 double mean(const std::vector<Trial>& trials, Value value)
 {
@@ -98,6 +87,20 @@ double fraction(const Trial& trial)
 
 } // namespace
 
+Trial judge(const TriangleMesh& mesh, const Scene& scene)
+{
+    const std::vector<Piece> pieces = pieces_of(mesh, scene);
+    std::set<std::size_t> meshed;
+    for (const Piece& piece : pieces)
+        if (is_copy(piece, scene))
+            meshed.insert(*piece.components.begin());
+    Trial trial;
+    trial.components = scene.euler_characteristics.size();
+    trial.meshed = meshed.size();
+    trial.complete = meshed.size() == trial.components && pieces.size() == trial.components;
+    return trial;
+}
+
 Trial run_trial(const Scene& scene, const Method& method, std::uint64_t random_seed)
 {
     MeshingOptions options = scene.options;
@@ -112,12 +115,11 @@ Trial run_trial(const Scene& scene, const Method& method, std::uint64_t random_s
         throw std::runtime_error(method.name + ": the mesh is not a closed manifold");
 
     const MeshingStatistics& work = result.statistics;
-    Trial trial;
+    Trial trial = judge(result.mesh, scene);
     trial.oracle_queries = work.queries_initialization + work.queries_refinement + work.queries_probing;
     trial.certificates = oracle.count();
     trial.vertices = result.mesh.vertices.size();
     trial.seconds = work.seconds_refinement;
-    judge(pieces_of(result.mesh, scene), scene, trial);
     return trial;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bench/paper_figures_scenes.h"
+#include "mesh/triangle_mesh.h"
 
 namespace voroprobe::bench
 {
@@ -54,6 +55,9 @@ struct Row
         return !must_be_complete || complete_trials() == trials.size();
     }
 };
+
+//! Which components the mesh has a copy of, and whether it is nothing but them; the rest is left.
+Trial judge(const TriangleMesh& mesh, const Scene& scene);
 
 //! Meshes the scene with the method. A piece of the mesh is a copy of a component when all its vertices lie
 //! on it and it has its Euler characteristic; that pieces are closed manifolds is checked. \throw

@@ -100,9 +100,7 @@ void add_run_options(CLI::App& command, MeshArguments& arguments)
                                      {"json", ProgressMode::kJson},
                                      {"none", ProgressMode::kNone}},
                  "How to show progress on stderr (default auto: a bar on a terminal)");
-    group.text("--seed", "N",
-               "Accepted for scripts; nothing is random in this version and\nevery seed gives the same bytes "
-               "(default 0)",
+    group.text("--seed", "N", "Of the rays of --seeding random:N; nothing else is random\n(default 0)",
                [&arguments](const std::string& given) { arguments.seed = parse_count("--seed", given, 0); });
     group.text("--threads", "N",
                "Threads that work side by side; any number gives the same bytes\n(default: all processors)",

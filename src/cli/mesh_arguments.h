@@ -57,7 +57,7 @@ struct MeshArguments
     std::optional<std::string> format = std::nullopt; //!< unset: by the extension of `output`
     std::optional<std::filesystem::path> summary = std::nullopt;
 
-    std::size_t seed = 0; //!< nothing in the pipeline is random: every seed gives the same bytes
+    std::size_t seed = 0; //!< of the rays of Seeding::kRandom; nothing else is random
     std::optional<std::size_t> threads =
         std::nullopt; //!< unset: all there are; any number gives the same bytes
     ProgressMode progress = ProgressMode::kAuto;

@@ -57,6 +57,7 @@ void check_input(const MeshArguments& arguments)
         throw UsageError("--domain is '" + *arguments.domain + "'; allowed: only with --implicit");
     const SurfaceRequest request = request_of(arguments);
     check_request(request);
+    check_theorem(arguments.finding, arguments.criteria);
     if (is_shape(request) && arguments.frame == OutputFrame::kIndex)
         throw UsageError("--frame-of-reference is 'index'; allowed: lps, ras, as there are no voxels");
 }
@@ -91,6 +92,7 @@ MeshingOptions options_of(const MeshArguments& arguments, const SurfaceInput& in
     options.close_border = arguments.border == BorderFaces::kClosed;
     options.max_vertices = arguments.max_vertices.value_or(vertices_in_memory());
     options.threads = arguments.threads.value_or(0);
+    options.random_seed = arguments.seed;
     apply_seeding(arguments.finding, input.placement, options);
     if (input.inventory && !arguments.max_vertices && !options.max_seconds)
         check_size(options, *input.inventory, std::pow(scale.mean_side, 3));
@@ -190,6 +192,10 @@ std::vector<std::string> result_warnings(const MeshRun& run)
     if (const std::size_t off = run.statistics.seeds_off_surface; off > 0)
         warnings.push_back(count_text(off) + " points of --seeds are farther from the surface than --reach " +
                            number_text(run.options.reach_lower_bound) + " mm and were left out");
+    const std::size_t found = run.facts.topology.components;
+    if (const auto& wanted = run.options.component_count; wanted && found < *wanted)
+        warnings.push_back("--components is " + count_text(*wanted) + ", but the mesh has " +
+                           count_text(found));
     const std::size_t abandoned = run.statistics.isolated_vertices_abandoned;
     if (abandoned > 0 && !run.certificate) // which knows
         warnings.push_back(

@@ -19,6 +19,9 @@ const NumberRule kDuration{[](double x) { return x > 0.0; }, "a number > 0, seco
 
 constexpr std::string_view kRandomPrefix = "random:";
 
+//! Each may take a hundred rays; more points than this would be a mesh of their own.
+constexpr std::size_t kMostRandomPoints = 1'000'000;
+
 //! Under --theorem the floor has to stay out of the way, as a fraction of the size.
 constexpr double kTheoremFloorInSizes = 1.0 / 64.0;
 
@@ -28,6 +31,8 @@ void parse_seeding(const std::string& given, SeedingArguments& arguments)
     {
         arguments.seeding = Seeding::kRandom;
         arguments.random_points = parse_count("--seeding", given.substr(kRandomPrefix.size()), 1);
+        if (*arguments.random_points > kMostRandomPoints)
+            refuse_value("--seeding", given, "random:N with N up to " + std::to_string(kMostRandomPoints));
     }
     else if (given == "inventory")
         arguments.seeding = Seeding::kInventory;
@@ -36,7 +41,7 @@ void parse_seeding(const std::string& given, SeedingArguments& arguments)
     else if (given == "isolated")
         arguments.seeding = Seeding::kIsolated;
     else
-        throw UsageError("--seeding is " + given + "; allowed: inventory, probe, isolated or random:N");
+        refuse_value("--seeding", given, "inventory, probe, isolated or random:N");
 }
 
 //! One point per line, x y z; empty lines and lines that begin with # are passed over.
@@ -61,6 +66,8 @@ std::vector<Point3> read_points(const std::filesystem::path& path)
                              "\"; expected three finite numbers");
         points.push_back(p);
     }
+    if (points.empty())
+        throw InputError(path.string() + ": holds no point; expected x y z on each line");
     return points;
 }
 
@@ -89,6 +96,14 @@ void add_seeding_options(CLI::App& command, SeedingArguments& arguments)
         ->group("Finding the components");
     group.number("--max-seconds", "S", arguments.max_seconds, kDuration,
                  "Stop then, write what there is and exit with 6 (default: no bound)");
+}
+
+void check_theorem(const SeedingArguments& arguments, const RequestedCriteria& criteria)
+{
+    if (arguments.theorem && criteria.size)
+        throw UsageError("--size is " + number_text(*criteria.size) +
+                         "; allowed with --theorem: none, which makes it " +
+                         number_text(kTheoremSizeInReaches) + " times --reach");
 }
 
 void apply_seeding(const SeedingArguments& arguments, const GridPlacement& placement, MeshingOptions& options)

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "cli/mesh_defaults.h"
 #include "cli/output_frame.h"
 #include "mesher/meshing_options.h"
 
@@ -35,6 +36,9 @@ void add_seeding_options(CLI::App& command, SeedingArguments& arguments);
 //! Theorem 4.4; the report's "0.019" in the pseudo-code and in the proof of Proposition 3 is a misprint of
 //! it.
 inline constexpr double kTheoremSizeInReaches = 0.091;
+
+//! \throw UsageError where --theorem is given beside what it settles.
+void check_theorem(const SeedingArguments& arguments, const RequestedCriteria& criteria);
 
 //! Puts the arguments into the options; seeds from world to grid coordinates. \throw UsageError where they
 //! contradict each other; InputError where the seeds cannot be read.

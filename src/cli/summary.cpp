@@ -78,26 +78,60 @@ Json input_json(const MeshRun& run)
             {"warnings", input.warnings}};
 }
 
+std::string_view seeding_name(Seeding seeding, InputKind kind)
+{
+    switch (seeding)
+    {
+    case Seeding::kInventory:
+        return kind == InputKind::kVolume ? "inventory" : "probe";
+    case Seeding::kProbe:
+        return "probe";
+    case Seeding::kIsolated:
+        return "isolated";
+    case Seeding::kRandom:
+        return "random";
+    }
+    return {};
+}
+
+//! How components are looked for.
+Json finding_json(const MeshRun& run)
+{
+    const MeshingOptions& options = run.options;
+    const bool random = options.seeding == Seeding::kRandom;
+    const auto& seeds = run.arguments.finding.seeds;
+    return {{"seeding", seeding_name(options.seeding, run.input.kind)},
+            {"random_points", random ? Json(options.random_points) : Json(nullptr)},
+            {"component_radius_mm", options.component_radius.value_or(options.reach_lower_bound)},
+            {"components", value_or_null(options.component_count)},
+            {"seeds", seeds ? Json(seeds->string()) : Json(nullptr)},
+            {"theorem", run.arguments.finding.theorem},
+            {"max_seconds", value_or_null(options.max_seconds)}};
+}
+
 Json parameters_json(const MeshRun& run)
 {
     const MeshingOptions& options = run.options;
     const bool one_at_a_time = options.isolated_vertices == IsolatedVertices::kOneAtATime;
     const auto of_level = [&run](const Json& value)
     { return run.input.has_isovalue() ? value : Json(nullptr); };
-    return {{"isovalue", of_level(run.input.isovalue.value)},
-            {"isovalue_source", of_level(run.input.isovalue.source)},
-            {"inside", of_level(run.input.inside == InsideIs::kAbove ? "above" : "below")},
-            {"border", options.close_border ? "closed" : "open"},
-            {"size_mm", options.max_facet_radius},
-            {"angle_deg", options.min_facet_angle_deg},
-            {"distance_mm", options.max_facet_distance.value()},
-            {"floor_mm", options.floor_radius},
-            {"reach_mm", options.reach_lower_bound},
-            {"isolated", one_at_a_time ? "one" : "all"},
-            {"max_vertices", run.arguments.max_vertices ? Json(*run.arguments.max_vertices) : Json(nullptr)},
-            {"frame_of_reference", frame_name(run.arguments.frame)},
-            {"seed", run.arguments.seed},
-            {"threads", run.arguments.threads ? Json(*run.arguments.threads) : Json(nullptr)}};
+    Json parameters{
+        {"isovalue", of_level(run.input.isovalue.value)},
+        {"isovalue_source", of_level(run.input.isovalue.source)},
+        {"inside", of_level(run.input.inside == InsideIs::kAbove ? "above" : "below")},
+        {"border", options.close_border ? "closed" : "open"},
+        {"size_mm", options.max_facet_radius},
+        {"angle_deg", options.min_facet_angle_deg},
+        {"distance_mm", options.max_facet_distance.value()},
+        {"floor_mm", options.floor_radius},
+        {"reach_mm", options.reach_lower_bound},
+        {"isolated", one_at_a_time ? "one" : "all"},
+        {"max_vertices", run.arguments.max_vertices ? Json(*run.arguments.max_vertices) : Json(nullptr)},
+        {"frame_of_reference", frame_name(run.arguments.frame)},
+        {"seed", run.arguments.seed},
+        {"threads", run.arguments.threads ? Json(*run.arguments.threads) : Json(nullptr)}};
+    parameters.update(finding_json(run));
+    return parameters;
 }
 
 Json mesh_json(const MeshRun& run)
@@ -128,7 +162,12 @@ Json seeding_json(const MeshingStatistics& statistics)
             {"by_probing", statistics.components_by_probing},
             {"by_inventory", statistics.components_by_inventory},
             {"by_refinement", statistics.components_by_refinement},
-            {"isolated_vertices_abandoned", statistics.isolated_vertices_abandoned}};
+            {"isolated_vertices_abandoned", statistics.isolated_vertices_abandoned},
+            {"seeds_off_surface", statistics.seeds_off_surface},
+            {"seeds_passed_over", statistics.seeds_passed_over},
+            {"voronoi_cells_probed", statistics.cells_probed + statistics.cells_probed_at_once},
+            {"probe_hits", statistics.probe_hits},
+            {"probe_hits_passed_over", statistics.probe_hits_passed_over}};
 }
 
 Json work_json(const MeshingStatistics& statistics)

@@ -5,8 +5,6 @@
 
 #include <CGAL/iterator.h>
 
-#include "mesher/point_triangle.h"
-
 namespace voroprobe
 {
 namespace
@@ -25,11 +23,11 @@ ProbedDomain probed_domain(const SurfaceOracle& oracle, const MeshingOptions& op
 } // namespace
 
 CellProbing::CellProbing(RestrictedDelaunay& restricted, const MeshingOptions& options,
-                         MeshingStatistics& statistics)
+                         MeshingStatistics& statistics, const ProgressSink& stop)
     : restricted_(restricted), options_(options), statistics_(statistics),
       domain_(probed_domain(restricted.oracle(), options)),
       probe_radius_(options.component_radius.value_or(options.reach_lower_bound)),
-      probing_(restricted.oracle(), probe_radius_, counts_), slab_probing_(probing_),
+      probing_(restricted.oracle(), probe_radius_, counts_, stop), slab_probing_(probing_),
       is_news_([this](const Point3& crossing) { return is_news(crossing); })
 {
 }
@@ -64,20 +62,17 @@ void CellProbing::update_statistics()
     statistics_.probe_hits_passed_over = counts_.hits_passed_over;
 }
 
-std::optional<ProbeHit> CellProbing::probe_cells_until_hit(const ProgressSink& stop)
+std::optional<ProbeHit> CellProbing::probe_cells_until_hit()
 {
     facets_of_ = {}; // the mesh has changed since
-    collect_unprobed_cells(stop);
+    collect_unprobed_cells();
     const auto size_now = [&](VertexHandle vertex)
     {
         voronoi_cell_.assign(restricted_, vertex);
         return voronoi_cell_.size_within(domain_.box);
     };
-    while (!unprobed_cells_.empty())
+    while (!unprobed_cells_.empty() && !probing_.stop_requested())
     {
-        stopped_ = stopped_ || stop.stop_requested();
-        if (stopped_)
-            return std::nullopt;
         const VertexHandle vertex = unprobed_cells_.pop(size_now);
         if (const auto hit = probe_cell(vertex))
         {
@@ -85,23 +80,24 @@ std::optional<ProbeHit> CellProbing::probe_cells_until_hit(const ProgressSink& s
             ++statistics_.probe_hits;
             return ProbeHit{*hit, vertex};
         }
-        vertex->info().cell_probed = true;
+        vertex->info().cell_probed = !probing_.was_stopped();
     }
     return std::nullopt;
 }
 
 // The cells of the vertices inserted since the last time. Those that can be probed at once, and without a
 // hit, are: when that is done changes nothing, and here they are warm in the cache.
-void CellProbing::collect_unprobed_cells(const ProgressSink& stop)
+void CellProbing::collect_unprobed_cells()
 {
     std::size_t count = 0;
     for (const VertexHandle vertex : restricted_.take_unprobed_vertices())
     {
-        stopped_ = stopped_ || (++count % kCellsBetweenLooks == 0 && stop.stop_requested());
-        if (stopped_)
-            return;
         voronoi_cell_.assign(restricted_, vertex);
-        if (options_.certified_skipping ? probe_with_few_probes() : is_probed_by_its_edges())
+        const bool is_probed =
+            options_.certified_skipping ? probe_with_few_probes() : is_probed_by_its_edges();
+        if (probing_.was_stopped() || (++count % kCellsBetweenLooks == 0 && probing_.stop_requested()))
+            return;
+        if (is_probed)
         {
             ++statistics_.cells_probed_at_once;
             vertex->info().cell_probed = true;
@@ -153,11 +149,11 @@ bool CellProbing::is_news(const Point3& crossing)
     if (facets_of_ != voronoi_cell_.vertex())
     {
         facets_of_ = voronoi_cell_.vertex();
-        collect_facets(voronoi_cell_.star(), facets_near_);
+        collect_close_facets(restricted_, voronoi_cell_.star(), options_.reach_lower_bound, facets_near_);
     }
     const double squared_reach = options_.reach_lower_bound * options_.reach_lower_bound;
     if (squared_distance(crossing, voronoi_cell_.site()) < squared_reach ||
-        is_explained(crossing, facets_near_))
+        is_near(facets_near_, crossing, options_.reach_lower_bound))
         return false;
 
     const auto& triangulation = restricted_.triangulation();
@@ -173,36 +169,8 @@ bool CellProbing::is_news(const Point3& crossing)
                 return false;
         }
     }
-    collect_facets(zone_, facets_in_zone_);
-    return !zone_.empty() && !is_explained(crossing, facets_in_zone_);
-}
-
-// The odd facets of the Delaunay cells that are nowhere farther from the surface than the reach, as far as
-// their surface Delaunay balls tell.
-void CellProbing::collect_facets(const std::vector<DelaunayCell>& delaunay_cells,
-                                 std::vector<std::array<Point3, 3>>& facets) const
-{
-    const double squared_reach = options_.reach_lower_bound * options_.reach_lower_bound;
-    facets.clear();
-    for (const DelaunayCell delaunay_cell : delaunay_cells)
-    {
-        for (const FacetId id : delaunay_cell->info().facet)
-        {
-            if (id >= kUnqueriedFacet || !restricted_.facet(id).odd())
-                continue;
-            const auto corners = restricted_.corners(restricted_.facet(id));
-            if (restricted_.facet(id).squared_radius - squared_circumradius(corners) <= squared_reach)
-                facets.push_back(corners);
-        }
-    }
-}
-
-bool CellProbing::is_explained(const Point3& crossing, const std::vector<std::array<Point3, 3>>& facets) const
-{
-    const double squared_reach = options_.reach_lower_bound * options_.reach_lower_bound;
-    return std::any_of(facets.begin(), facets.end(),
-                       [&](const std::array<Point3, 3>& corners)
-                       { return squared_distance_to_triangle(crossing, corners) < squared_reach; });
+    collect_close_facets(restricted_, zone_, options_.reach_lower_bound, facets_in_zone_);
+    return !zone_.empty() && !is_near(facets_in_zone_, crossing, options_.reach_lower_bound);
 }
 
 } // namespace voroprobe

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mesher/meshing_options.h"
+#include "mesher/nearby_facets.h"
 #include "mesher/probe_queue.h"
 #include "mesher/probing.h"
 #include "mesher/restricted_delaunay.h"
@@ -36,32 +37,29 @@ struct ProbeHit
 class CellProbing
 {
 public:
-    //! All references must outlive the object.
-    CellProbing(RestrictedDelaunay& restricted, const MeshingOptions& options, MeshingStatistics& statistics);
+    //! All references must outlive the object. `stop` can end probing early.
+    CellProbing(RestrictedDelaunay& restricted, const MeshingOptions& options, MeshingStatistics& statistics,
+                const ProgressSink& stop);
     CellProbing(const CellProbing&) = delete; // is_news_ knows where it lives
     CellProbing& operator=(const CellProbing&) = delete;
 
     //! probe(Omega).
     std::optional<ProbeHit> probe_domain();
 
-    //! Pops Q and probes until a crossing is news; nullopt when Q is empty. `stop` can end it early.
-    std::optional<ProbeHit> probe_cells_until_hit(const ProgressSink& stop);
+    //! Pops Q and probes until a crossing is news; nullopt when Q is empty, or when stopped.
+    std::optional<ProbeHit> probe_cells_until_hit();
 
     //! Whether probing was asked to stop while cells were left.
-    [[nodiscard]] bool was_stopped() const { return stopped_; }
+    [[nodiscard]] bool was_stopped() const { return probing_.was_stopped(); }
 
 private:
-    void collect_unprobed_cells(const ProgressSink& stop);
+    void collect_unprobed_cells();
     bool probe_with_few_probes();
     [[nodiscard]] bool is_probed_by_its_edges() const;
     std::optional<Point3> probe_slabs(const IsNews& is_news);
     void update_statistics();
     std::optional<Point3> probe_cell(VertexHandle vertex);
     [[nodiscard]] bool is_news(const Point3& crossing);
-    void collect_facets(const std::vector<DelaunayCell>& delaunay_cells,
-                        std::vector<std::array<Point3, 3>>& facets) const;
-    [[nodiscard]] bool is_explained(const Point3& crossing,
-                                    const std::vector<std::array<Point3, 3>>& facets) const;
 
     RestrictedDelaunay& restricted_;
     MeshingOptions options_;
@@ -75,10 +73,9 @@ private:
     ConvexRegion region_;
     ConvexOutline outline_;
     SlabProbing slab_probing_;
-    bool stopped_ = false;
     VertexHandle facets_of_; //!< whose facets are in facets_near_
-    std::vector<std::array<Point3, 3>> facets_near_;
-    std::vector<std::array<Point3, 3>> facets_in_zone_;
+    FacetCorners facets_near_;
+    FacetCorners facets_in_zone_;
     std::vector<DelaunayCell> zone_;
     IsNews is_news_; //!< of crossings in voronoi_cell_
 };

@@ -17,6 +17,8 @@ namespace
 // Finer tilings would take hours.
 constexpr double kMostTiles = 1U << 28U;
 
+constexpr std::size_t kQuestionsBetweenLooks = 1024; // for whether to stop
+
 //! For each of `count` tiles along a side, when it is probed: those in the middle first, then those in the
 //! middle of what is left on either side, and so on.
 std::vector<std::size_t> middle_first(std::size_t count)
@@ -62,8 +64,23 @@ std::optional<Point3> Probing::query(const Vec3& from, const Vec3& to)
     return query({world(from), world(to)}, *is_news_);
 }
 
+bool Probing::stop_requested()
+{
+    stopped_ = stopped_ || stop_.stop_requested();
+    return stopped_;
+}
+
+bool Probing::may_ask()
+{
+    if (++asked_ % kQuestionsBetweenLooks == 0)
+        stop_requested();
+    return !stopped_;
+}
+
 bool Probing::certify(const Box3& box)
 {
+    if (!may_ask())
+        return true; // ends the search
     if (oracle_.may_cross(box))
         return false;
     ++counts_.boxes_certified;
@@ -72,6 +89,8 @@ bool Probing::certify(const Box3& box)
 
 std::optional<Point3> Probing::query(const Segment3& segment, const IsNews& is_news)
 {
+    if (!may_ask())
+        return std::nullopt;
     ++counts_.queries;
     oracle_.find_crossings(segment, crossings_);
     for (const Crossing& crossing : crossings_)

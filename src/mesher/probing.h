@@ -7,6 +7,7 @@
 
 #include "mesher/convex_region.h"
 #include "oracles/surface_oracle.h"
+#include "support/progress.h"
 
 namespace voroprobe
 {
@@ -39,9 +40,10 @@ using IsNews = std::function<bool(const Point3&)>;
 class Probing
 {
 public:
-    //! The oracle and the counts must outlive the object.
-    Probing(const SurfaceOracle& oracle, double reach, ProbeCounts& counts)
-        : oracle_(oracle), reach_(reach), counts_(counts)
+    //! All references must outlive the object. `stop` is asked every thousand questions; from when it says
+    //! so nothing is asked any more, and what was to be probed was not.
+    Probing(const SurfaceOracle& oracle, double reach, ProbeCounts& counts, const ProgressSink& stop)
+        : oracle_(oracle), reach_(reach), counts_(counts), stop_(stop)
     {
     }
 
@@ -58,6 +60,11 @@ public:
 
     [[nodiscard]] double reach() const { return reach_; }
 
+    //! Whether probing was asked to stop; looks if so.
+    bool stop_requested();
+
+    [[nodiscard]] bool was_stopped() const { return stopped_; }
+
     //! One probe. Returns the first news along it.
     std::optional<Point3> query(const Segment3& segment, const IsNews& is_news);
 
@@ -65,12 +72,16 @@ private:
     class Tiles;
 
     void begin(const ConvexRegion& region, const IsNews& is_news);
+    bool may_ask();
     std::optional<Point3> query(const Vec3& from, const Vec3& to);
     [[nodiscard]] Point3 world(const Vec3& coordinates) const;
 
     const SurfaceOracle& oracle_;
     double reach_;
     ProbeCounts& counts_;
+    const ProgressSink& stop_;
+    bool stopped_ = false;
+    std::size_t asked_ = 0; //!< questions, since the last look
 
     // Of the region at hand.
     const ConvexRegion* region_ = nullptr;

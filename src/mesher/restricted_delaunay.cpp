@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "mesher/circumcenter.h"
@@ -60,7 +61,8 @@ void RestrictedDelaunay::insert_sentinels()
 
 bool RestrictedDelaunay::is_apart(const Point3& p, double least_separation, VertexHandle hint) const
 {
-    const VertexHandle nearest = triangulation_.nearest_vertex(cgal_point(p), hint->cell());
+    const DelaunayCell near = hint == VertexHandle() ? DelaunayCell() : hint->cell();
+    const VertexHandle nearest = triangulation_.nearest_vertex(cgal_point(p), near);
     return squared_distance(position(nearest), p) > least_separation * least_separation;
 }
 
@@ -91,6 +93,7 @@ VertexHandle RestrictedDelaunay::insert(const Insertion& insertion, VertexOrigin
     statistics_.queries_refinement += insertion.queries();
     statistics_.region_lookups += insertion.star().size();
     forget_zone(insertion);
+    check_persistence(insertion);
     const VertexHandle vertex = make_vertex(insertion, origin);
     make_star(insertion, vertex);
     connect_star(insertion);
@@ -128,6 +131,31 @@ void RestrictedDelaunay::forget_zone(const Insertion& insertion)
                 release_facet(id);
         }
     }
+}
+
+// Lemma 1 of the report, in general: a point that keeps a distance from all vertices leaves the facets whose
+// balls are smaller than half of it. A facet vanishes where its ball's center is nearer to the point than to
+// its corners, so that these are nearer to the point than two radii. With a distance of at least the size
+// criterion, as centers of balls that are too large and news of probing keep it, persistent facets stay.
+void RestrictedDelaunay::check_persistence([[maybe_unused]] const Insertion& insertion) const
+{
+#if !defined(NDEBUG) || defined(VOROPROBE_CHECK_LEMMAS)
+    constexpr double kRounding = 1e-6; // of squared lengths: of the circumcenters of slivers
+    double squared_separation = std::numeric_limits<double>::infinity();
+    for (const DelaunayCell delaunay_cell : insertion.zone().cells())
+    {
+        for (const Point3& corner : corner_positions(delaunay_cell))
+            squared_separation = std::min(squared_separation, squared_distance(corner, insertion.point()));
+    }
+    for (const DelaunayCell delaunay_cell : insertion.zone().cells())
+    {
+        for (const FacetId id : delaunay_cell->info().facet) // those inside the zone, released just now
+        {
+            if (id < kUnqueriedFacet)
+                CHECK_GE(4.0 * facets_[id].squared_radius, (1.0 - kRounding) * squared_separation);
+        }
+    }
+#endif
 }
 
 VertexHandle RestrictedDelaunay::make_vertex(const Insertion& insertion, VertexOrigin origin)

@@ -43,8 +43,8 @@ public:
     //! Inserts any point of the surface, as the three above do together. Null where it is a vertex already.
     VertexHandle insert(const Point3& p, VertexOrigin origin, VertexHandle hint = {});
 
-    //! Whether no vertex is closer to p than `least_separation`. Located from `hint`.
-    [[nodiscard]] bool is_apart(const Point3& p, double least_separation, VertexHandle hint) const;
+    //! Whether no vertex is closer to p than `least_separation`. Located from `hint`, which may be null.
+    [[nodiscard]] bool is_apart(const Point3& p, double least_separation, VertexHandle hint = {}) const;
 
     //! Asks the oracle about the dual edges that insertions have left aside: those whose ends lie on one side
     //! of the surface. Their facets cannot be in the mesh, and while it is coarse most of them vanish
@@ -106,6 +106,7 @@ private:
 
     void insert_sentinels();
     void forget_zone(const Insertion& insertion);
+    void check_persistence(const Insertion& insertion) const;
     VertexHandle make_vertex(const Insertion& insertion, VertexOrigin origin);
     void make_star(const Insertion& insertion, VertexHandle vertex);
     void connect_star(const Insertion& insertion);

@@ -15,6 +15,7 @@
 #include "mesher/refinement.h"
 #include "mesher/region_repair.h"
 #include "mesher/restricted_delaunay.h"
+#include "mesher/seed_candidates.h"
 #include "mesher/seeding.h"
 #include "mesher/surface_extraction.h"
 #include "support/error.h"
@@ -38,17 +39,20 @@ public:
         : oracle_(oracle), options_(options), workers_(options.threads), restricted_(oracle, statistics_),
           deadline_(progress, options.max_seconds),
           refinement_(restricted_, options_, workers_, statistics_, &deadline_),
-          cell_probing_(restricted_, options_, statistics_)
+          seed_candidates_(restricted_, options_, refinement_, statistics_),
+          cell_probing_(restricted_, options_, statistics_, deadline_)
     {
     }
 
     MeshingResult run()
     {
+        find_seeds();
         if (insert_seeds() || probe_domain())
         {
             do
                 refinement_.refine();
-            while (may_go_on() && (initialize_isolated_vertices() || probe_cells_until_hit()));
+            while (may_go_on() &&
+                   (initialize_isolated_vertices() || insert_seeds() || probe_cells_until_hit()));
         }
         for (int round = 1; may_go_on() && pursue_inventory(round); ++round)
             refinement_.refine();
@@ -65,8 +69,8 @@ private:
         return refinement_.status() == MeshingStatus::kDone && !stopped_;
     }
 
-    //! The points to begin with that are given, or random. False when there are none.
-    bool insert_seeds()
+    //! The points to begin with that are given, or random.
+    void find_seeds()
     {
         std::size_t& queries = statistics_.queries_initialization;
         std::vector<Point3> points;
@@ -79,10 +83,11 @@ private:
             else
                 ++statistics_.seeds_off_surface;
         }
-        for (const Point3& p : points)
-            refinement_.insert(p, VertexOrigin::kProbe);
-        return !points.empty();
+        seed_candidates_.add(points);
     }
+
+    //! False when there are none that the mesh needs.
+    bool insert_seeds() { return seed_candidates_.insert_some(); }
 
     //! Whether the user knows that there is nothing left to find.
     [[nodiscard]] bool has_all_components() const
@@ -109,7 +114,7 @@ private:
             return false;
         const Stopwatch stopwatch;
         deadline_.report({"probing", restricted_.vertex_count(), 0});
-        const auto hit = cell_probing_.probe_cells_until_hit(deadline_);
+        const auto hit = cell_probing_.probe_cells_until_hit();
         statistics_.seconds_probing += stopwatch.seconds();
         if (hit)
             refinement_.insert(hit->point, VertexOrigin::kCellProbe, hit->near);
@@ -189,6 +194,7 @@ private:
     RestrictedDelaunay restricted_;
     Deadline deadline_;
     Refinement refinement_;
+    SeedCandidates seed_candidates_;
     CellProbing cell_probing_;
     bool stopped_ = false;              //!< before the work was done
     std::size_t unfaithful_places_ = 0; //!< when last looked for

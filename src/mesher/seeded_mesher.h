@@ -40,6 +40,7 @@ struct MeshingStatistics
     std::size_t components_by_inventory = 0;       //!< pieces given points because the inventory lists them
     std::size_t components_by_refinement = 0;      //!< pieces that refinement reached by itself
     std::size_t seeds_off_surface = 0;             //!< seeds given farther from the surface than the reach
+    std::size_t seeds_passed_over = 0;             //!< seeds that the mesh came to before they were needed
     std::size_t isolated_vertices_abandoned = 0;   //!< points of the surface on no face in the end
 
     //! Facets whose dual edge crosses the surface more than once in the end: as small as the floor, unless

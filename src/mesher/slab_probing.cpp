@@ -30,6 +30,42 @@ Vec3 coordinates_along(const std::array<Vec3, 3>& axis, const Vec3& x)
 
 } // namespace
 
+//! Probes along a cylinder around its axis, evenly, and one on it perhaps: as disks that cover a disk.
+struct ProbeRing
+{
+    std::size_t around;
+    bool on_axis;
+    std::size_t queries; //!< with those that join them
+
+    //! Radius of the disks of a ring that covers a disk of radius 1: they stand on the sides of the polygon
+    //! inscribed into it.
+    [[nodiscard]] double disk_radius() const
+    {
+        return std::sin(std::numbers::pi / static_cast<double>(around));
+    }
+    [[nodiscard]] double ring_radius() const
+    {
+        return std::cos(std::numbers::pi / static_cast<double>(around));
+    }
+};
+
+namespace
+{
+
+constexpr std::array<ProbeRing, 3> kProbeRings{{{3, false, 6}, {4, false, 7}, {6, true, 11}}};
+
+//! The first ring of reach-wide disks that covers a disk.
+const ProbeRing* ring_for(double disk_radius, double reach)
+{
+    const auto ring =
+        std::find_if(kProbeRings.begin(), kProbeRings.end(),
+                     [&](const ProbeRing& candidate)
+                     { return disk_radius * candidate.disk_radius() <= kTileHalfDiagonal * reach; });
+    return ring == kProbeRings.end() ? nullptr : &*ring;
+}
+
+} // namespace
+
 ConvexOutline domain_outline(const ProbedDomain& domain)
 {
     ConvexOutline outline{domain.box.center(), {}};
@@ -111,7 +147,12 @@ SlabProbing::Outcome SlabProbing::probe_slab(const Slab& slab)
         return outcome == Outcome::kProbed ? probe_slab({at, slab.high}) : outcome;
     }
     hub_ = points_.front();
-    return probe_box({low, high});
+    const Box3 box{low, high};
+    set_leaves(box);
+    const ProbeRing* ring = ring_for(std::sqrt(radius * radius - reach_ * reach_), reach_);
+    if (ring != nullptr && ring->queries < tile_queries())
+        return probe_ring({low.z, high.z}, middle, radius, *ring);
+    return probe_box(box);
 }
 
 // Where to cut a slab in two: beyond the surface at the site if that is in it, in the middle otherwise.
@@ -175,30 +216,73 @@ SlabProbing::Outcome SlabProbing::probe_axis(const Slab& slab, const Vec3& middl
     return query(on_axis(end.z), end);
 }
 
-SlabProbing::Outcome SlabProbing::probe_box(const Box3& box)
+// The probes of the ring, those that join opposite ones, or neighbours where there are three, and one to an
+// edge.
+SlabProbing::Outcome SlabProbing::probe_ring(const Slab& slab, const Vec3& middle, double radius,
+                                             const ProbeRing& ring)
+{
+    const double at = ring.ring_radius() * std::sqrt(radius * radius - reach_ * reach_);
+    const auto foot = [&](std::size_t k, double z)
+    {
+        const double angle =
+            2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(ring.around);
+        return Vec3{middle.x + at * std::cos(angle), middle.y + at * std::sin(angle), z};
+    };
+    for (std::size_t k = 0; k < ring.around; ++k)
+    {
+        if (query(foot(k, slab.low), foot(k, slab.high)) == Outcome::kNews)
+            return Outcome::kNews;
+    }
+    if (ring.on_axis &&
+        query({middle.x, middle.y, slab.low}, {middle.x, middle.y, slab.high}) == Outcome::kNews)
+        return Outcome::kNews;
+    const double height = 0.5 * (slab.low + slab.high);
+    const bool has_opposite = ring.around % 2 == 0;
+    const std::size_t joining = has_opposite ? ring.around / 2 : ring.around - 1;
+    for (std::size_t k = 0; k < joining; ++k)
+    {
+        const std::size_t other = has_opposite ? k + ring.around / 2 : k + 1;
+        if (query(foot(k, height), foot(other, height)) == Outcome::kNews)
+            return Outcome::kNews;
+    }
+    return query(foot(0, height), hub_);
+}
+
+// Cuts a box into leaves not wider than the tiles of Probing.
+void SlabProbing::set_leaves(const Box3& box)
 {
     const double side = std::numbers::sqrt2 * kTileHalfDiagonal * reach_;
     const Vec3 extent = box.extent();
     leaf_origin_ = box.min;
-    std::array<std::size_t, 3> leaves{};
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
         const double count = std::max(std::ceil(extent[axis] / side), 1.0);
         if (count > kMostLeaves)
             throw UsageError("the reach is " + number_text(reach_) + "; it must be at least " +
                              number_text(extent[axis] / kMostLeaves) + " for a domain of this size");
-        leaves[axis] = static_cast<std::size_t>(count);
+        leaves_[axis] = static_cast<std::size_t>(count);
         leaf_side_[axis] = extent[axis] / count;
     }
-    if (leaves[0] * leaves[1] <= kFewTiles)
-        return probe_tiles(box, leaves);
-    return effort_ == Effort::kFewProbes ? Outcome::kUnfinished : probe_leaves({{0, 0, 0}, leaves});
+}
+
+std::size_t SlabProbing::tile_queries() const
+{
+    const auto [columns, rows, layers] = leaves_;
+    return columns * rows + (columns > 1 ? rows : 0) + (rows > 1 ? 1 : 0) + 1;
+}
+
+SlabProbing::Outcome SlabProbing::probe_box(const Box3& box)
+{
+    if (leaves_[0] * leaves_[1] <= kFewTiles)
+        return probe_tiles(box);
+    return effort_ == Effort::kFewProbes ? Outcome::kUnfinished : probe_leaves({{0, 0, 0}, leaves_});
 }
 
 // One probe through the middle of each tile from end to end, one across each row of them, and one across the
 // rows.
-SlabProbing::Outcome SlabProbing::probe_tiles(const Box3& box, const std::array<std::size_t, 3>& leaves)
+SlabProbing::Outcome SlabProbing::probe_tiles(const Box3& box)
 {
+    const auto& leaves = leaves_;
     const double height = 0.5 * (box.min.z + box.max.z);
     const auto middle = [&](std::size_t i, std::size_t j, double z)
     {

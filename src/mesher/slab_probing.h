@@ -20,6 +20,8 @@ struct ConvexOutline
 //! The domain's.
 ConvexOutline domain_outline(const ProbedDomain& domain);
 
+struct ProbeRing;
+
 //! probe(C) at a cost that follows the surface and not the region's volume, with the promises of Probing.
 //!
 //! The region is cut into slabs across its longest extent, at some distance from the site first: near the
@@ -31,7 +33,11 @@ ConvexOutline domain_outline(const ProbedDomain& domain);
 //! - where the oracle certifies its box to hold no surface: such a slab is a probe as thick as itself;
 //! - where it fits into a cylinder sqrt(2) times as wide, by a probe along the cylinder's axis: a point x at
 //!   least the reach e from the axis has a corner v with (v - x) . (x - axis) >= 0, so |v - x|^2 <= 2 e^2 -
-//!   |x - axis|^2 <= e^2. A second probe joins the first to an edge.
+//!   |x - axis|^2 <= e^2. A second probe joins the first to an edge;
+//! - where it fits into one sqrt(7 / 3), sqrt(3) or sqrt(5) times as wide, by 3, 4 or 7 probes along it: the
+//! same
+//!   corner v is near to x beyond sqrt(radius^2 - e^2) from the axis, and disks around the probes cover what
+//!   is nearer. Two or three probes across and one to an edge join them.
 //!
 //! Otherwise it is cut in two. When it is short its box gets the paper's probes, or where that would take
 //! many the box is halved again and again: what cannot be certified, boxes of about the reach, gets three
@@ -80,8 +86,11 @@ private:
     [[nodiscard]] double radius_around(const Vec3& middle) const;
     [[nodiscard]] double cut(const Slab& slab) const;
     Outcome probe_axis(const Slab& slab, const Vec3& middle);
+    Outcome probe_ring(const Slab& slab, const Vec3& middle, double radius, const ProbeRing& ring);
     Outcome probe_box(const Box3& box);
-    Outcome probe_tiles(const Box3& box, const std::array<std::size_t, 3>& leaves);
+    void set_leaves(const Box3& box);
+    [[nodiscard]] std::size_t tile_queries() const;
+    Outcome probe_tiles(const Box3& box);
     Outcome probe_leaves(const LeafRange& range);
     Outcome probe_leaf(const Box3& leaf);
     [[nodiscard]] Box3 box_of(const LeafRange& range) const;
@@ -105,6 +114,7 @@ private:
     std::vector<Vec3> points_;    //!< of the slab at hand
     Point3 leaf_origin_;          //!< of the box at hand
     Vec3 leaf_side_;
+    std::array<std::size_t, 3> leaves_{};
     Vec3 hub_; //!< a point of an edge in the slab at hand
 };
 

@@ -36,14 +36,31 @@ std::optional<ParameterRange> clip_to(const std::vector<HalfSpace>& half_spaces,
     return range.first <= range.second ? std::optional(range) : std::nullopt;
 }
 
+void append_ends(const Segment3& segment, const ParameterRange& range, ConvexRegion& region)
+{
+    region.corners.push_back(segment.at(range.first) - region.origin);
+    region.corners.push_back(segment.at(range.second) - region.origin);
+}
+
+//! Ends of the box's edges' parts in the region's half-spaces.
+void append_box_edges(const Box3& box, ConvexRegion& region)
+{
+    for (const Segment3& edge : edges_of(box))
+    {
+        const Segment3 relative{edge.source - region.origin, edge.target - region.origin};
+        if (const auto range = clip_to(region.half_spaces, relative))
+            append_ends(edge, *range, region);
+    }
+}
+
 } // namespace
 
 void VoronoiCell::assign(const RestrictedDelaunay& restricted, VertexHandle vertex)
 {
     vertex_ = vertex;
     star_.clear();
-    corners_.clear();
     restricted.triangulation().incident_cells(vertex, std::back_inserter(star_));
+    corners_.clear();
     for (const DelaunayCell delaunay_cell : star_)
         corners_.push_back(delaunay_cell->info().circumcenter);
 }
@@ -102,7 +119,8 @@ void VoronoiCell::clip_to(const ProbedDomain& domain, ConvexRegion& region) cons
     }
     else
     {
-        append_clipped_corners(domain, region);
+        append_edges_in(domain.box, region);
+        append_box_edges(domain.box, region);
         append_box(domain.box, region);
     }
     if (!region.corners.empty()) // each is on a Voronoi edge or on the domain's boundary
@@ -137,8 +155,12 @@ void VoronoiCell::append_clipped_outline(const ProbedDomain& domain, ConvexOutli
 {
     ConvexRegion region;
     region.origin = outline.origin;
-    append_bisectors(region);
-    append_clipped_corners(domain, region);
+    append_edges_in(domain.box, region);
+    if (may_meet_edges_of(domain.box))
+    {
+        append_bisectors(region);
+        append_box_edges(domain.box, region);
+    }
     for (std::size_t c = 0; c + 1 < region.corners.size(); c += 2)
         outline.edges.push_back({region.corners[c], region.corners[c + 1]});
     const double rounding = kOnSideInDiagonals * domain.box.diagonal();
@@ -184,32 +206,53 @@ void VoronoiCell::append_bisectors(ConvexRegion& region) const
     }
 }
 
-// Ends of the Voronoi edges' parts in the box, and of the box's edges' parts in the Voronoi cell.
-void VoronoiCell::append_clipped_corners(const ProbedDomain& domain, ConvexRegion& region) const
+// Ends of the Voronoi edges' parts in the box.
+void VoronoiCell::append_edges_in(const Box3& box, ConvexRegion& region) const
 {
-    const auto append = [&](const Segment3& segment, const ParameterRange& range)
-    {
-        region.corners.push_back(segment.at(range.first) - region.origin);
-        region.corners.push_back(segment.at(range.second) - region.origin);
-    };
-    for (const DelaunayCell delaunay_cell : star_)
+    for (std::size_t c = 0; c < star_.size(); ++c)
     {
         for (int i = 0; i < 4; ++i)
         {
-            const DelaunayCell neighbor = delaunay_cell->neighbor(i);
-            const Segment3 edge{delaunay_cell->info().circumcenter, neighbor->info().circumcenter};
-            if (delaunay_cell->vertex(i) == vertex_ || !is_before(edge.source, edge.target))
+            const Segment3 edge{corners_[c], star_[c]->neighbor(i)->info().circumcenter};
+            if (star_[c]->vertex(i) == vertex_ || !is_before(edge.source, edge.target))
                 continue; // each edge from one end
-            if (const auto range = clip_to_box(edge, domain.box))
-                append(edge, *range);
+            if (const auto range = clip_to_box(edge, box))
+                append_ends(edge, *range, region);
         }
     }
-    for (const Segment3& edge : edges_of(domain.box))
+}
+
+// Whether an edge of a box that holds the site may pass through the cell. It does not where the cell's
+// section with the plane of each side lies within that side; the corners of the section are on Voronoi edges.
+bool VoronoiCell::may_meet_edges_of(const Box3& box) const
+{
+    const double rounding = kOnSideInDiagonals * box.diagonal();
+    const Box3 within{box.min + Vec3{rounding, rounding, rounding},
+                      box.max - Vec3{rounding, rounding, rounding}};
+    for (std::size_t c = 0; c < star_.size(); ++c)
     {
-        const Segment3 relative{edge.source - region.origin, edge.target - region.origin};
-        if (const auto range = voroprobe::clip_to(region.half_spaces, relative))
-            append(edge, *range);
+        for (int i = 0; i < 4; ++i)
+        {
+            const Segment3 edge{corners_[c], star_[c]->neighbor(i)->info().circumcenter};
+            if (star_[c]->vertex(i) == vertex_ || !is_before(edge.source, edge.target))
+                continue; // each edge from one end
+            for (std::size_t axis = 0; axis < 3; ++axis)
+            {
+                for (const double side : {box.min[axis], box.max[axis]})
+                {
+                    const double from = edge.source[axis] - side;
+                    const double to = edge.target[axis] - side;
+                    if ((from < 0.0) == (to < 0.0))
+                        continue;
+                    Point3 at = edge.at(from / (from - to));
+                    at[axis] = box.center()[axis];
+                    if (!within.contains(at))
+                        return true;
+                }
+            }
+        }
     }
+    return false;
 }
 
 } // namespace voroprobe

@@ -51,7 +51,8 @@ public:
 private:
     void append_clipped_outline(const ProbedDomain& domain, ConvexOutline& outline) const;
     void append_bisectors(ConvexRegion& region) const;
-    void append_clipped_corners(const ProbedDomain& domain, ConvexRegion& region) const;
+    void append_edges_in(const Box3& box, ConvexRegion& region) const;
+    [[nodiscard]] bool may_meet_edges_of(const Box3& box) const;
 
     VertexHandle vertex_;
     std::vector<DelaunayCell> star_;

@@ -322,6 +322,42 @@ TEST(Seeding, counts_seeds_off_the_surface_and_probes_all_the_same)
     EXPECT_EQ(analyze_topology(result.mesh).components, 4U);
 }
 
+//! Figure 4 of the report: 303 vertices from 50 points, 171 from 5.
+TEST(Seeding, from_fifty_points_takes_no_more_vertices_than_from_five)
+{
+    const SphereUnionOracle oracle({{{0, 0, 0}, 1.0}});
+    const auto mean_vertices = [&](std::size_t points)
+    {
+        constexpr std::uint64_t kTrials = 10;
+        MeshingOptions options{.max_facet_radius = 0.25, .floor_radius = 1e-6, .reach_lower_bound = 0.5};
+        options.seeding = Seeding::kRandom;
+        options.random_points = points;
+        std::size_t vertices = 0;
+        for (std::uint64_t trial = 0; trial < kTrials; ++trial)
+        {
+            options.random_seed = trial;
+            const auto result = mesh_surface(oracle, options);
+            EXPECT_EQ(analyze_topology(result.mesh).euler_characteristic, 2);
+            vertices += result.mesh.vertices.size();
+        }
+        return static_cast<double>(vertices) / kTrials;
+    };
+    EXPECT_LT(mean_vertices(50), 1.1 * mean_vertices(5));
+}
+
+TEST(Seeding, passes_over_seeds_that_the_mesh_has_come_to_and_begins_at_all_others)
+{
+    MeshingOptions options = options_for(0.8, true);
+    options.seeding = Seeding::kIsolated;
+    for (int i = 0; i < 40; ++i) // a crowd on the large sphere, one seed on each of the others
+        options.seeds.push_back({3.0 * std::cos(0.01 * i), 3.0 * std::sin(0.01 * i), 0});
+    options.seeds.insert(options.seeds.end(), {{1.4, 0, 0}, {11, 4, -5.9}, {-8, 9, 7.3}});
+    const auto result = mesh_surface(scattered_spheres(), options);
+    EXPECT_EQ(analyze_topology(result.mesh).components, 4U);
+    EXPECT_EQ(result.statistics.seeds_off_surface, 0U);
+    EXPECT_GE(result.statistics.seeds_passed_over, 30U);
+}
+
 TEST(Seeding, at_random_misses_what_no_ray_meets)
 {
     MeshingOptions options = options_for(0.8, true);
@@ -346,6 +382,34 @@ TEST(Budget, of_no_time_gives_a_flagged_partial_result)
     MeshingOptions options = options_for(0.8, true);
     options.max_seconds = 0.0;
     EXPECT_EQ(mesh_surface(scattered_spheres(), options).status, MeshingStatus::kBudgetExhausted);
+}
+
+//! Stops when asked for the n-th time.
+class StopAtQuestion final : public ProgressSink
+{
+public:
+    explicit StopAtQuestion(std::size_t n) : left_(n) {}
+    void report(const ProgressReport& /*report*/) override {}
+    [[nodiscard]] bool stop_requested() const override
+    {
+        left_ -= left_ > 0 ? 1 : 0;
+        return left_ == 0;
+    }
+
+private:
+    mutable std::size_t left_;
+};
+
+// Without certificates a single Voronoi cell may take a million probes; a run stops in the middle of it.
+TEST(Budget, stops_within_the_probing_of_one_cell)
+{
+    const SphereUnionOracle spheres({{{0, 0, 0}, 1.0}}, 20.0);
+    const RecordingOracle oracle(spheres);
+    StopAtQuestion stop(10);
+    const auto result = mesh_surface(oracle, options_for(0.05, false), &stop);
+    EXPECT_EQ(result.status, MeshingStatus::kInterrupted);
+    EXPECT_LT(oracle.segments.size(), 50000U);
+    EXPECT_TRUE(result.mesh.faces.empty() || analyze_topology(result.mesh).closed());
 }
 
 TEST(Budget, that_is_just_enough_does_not_make_a_result_partial)

@@ -1,7 +1,10 @@
 #include "mesher/restricted_delaunay.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -108,6 +111,48 @@ TEST_F(RestrictedToSpheres, a_point_that_is_a_vertex_is_not_inserted_again)
     const std::size_t before = restricted_.vertex_count();
     EXPECT_EQ(restricted_.insert(position(vertex), VertexOrigin::kProbe), VertexHandle());
     EXPECT_EQ(restricted_.vertex_count(), before);
+}
+
+//! Corners of a facet, and the radius of its ball.
+using PlacedFacet = std::pair<std::array<std::uint32_t, 3>, double>;
+
+// Lemma 1 of the report, in general: the persistent facets of its Definition 10 are those with balls under
+// half the size criterion, and a ball is refined for its size where it is larger than that.
+TEST_F(RestrictedToSpheres, a_center_inserted_leaves_every_facet_with_a_ball_under_half_of_its_own)
+{
+    Random random(11);
+    std::size_t left = 0;
+    for (int insertion = 0; insertion < 100; ++insertion)
+    {
+        std::vector<PlacedFacet> before;
+        std::vector<Point3> centers;
+        for_each_facet(
+            [&](const RestrictedFacet& facet)
+            {
+                auto corners = facet.vertices;
+                std::sort(corners.begin(), corners.end());
+                before.emplace_back(corners, std::sqrt(facet.squared_radius));
+                centers.push_back(facet.center);
+            });
+        const std::size_t chosen = random.below(before.size());
+        restricted_.insert(centers[chosen], VertexOrigin::kRefinement);
+        std::set<std::array<std::uint32_t, 3>> after;
+        for_each_facet(
+            [&](const RestrictedFacet& facet)
+            {
+                auto corners = facet.vertices;
+                std::sort(corners.begin(), corners.end());
+                after.insert(corners);
+            });
+        for (const auto& [corners, radius] : before)
+        {
+            if (radius > 0.5 * before[chosen].second)
+                continue;
+            ++left;
+            EXPECT_TRUE(after.contains(corners));
+        }
+    }
+    EXPECT_GT(left, 1000U);
 }
 
 TEST_F(RestrictedToSpheres, umbrellas_are_whole_or_none)
