@@ -11,12 +11,19 @@ const browser = await chromium.launch({
 });
 for (const file of pages) {
   const page = await browser.newPage({ viewport: { width: 1240, height: 860 }, colorScheme: "light" });
-  page.setDefaultTimeout(180000);
+  page.setDefaultTimeout(300000); // without a GPU a large mesh takes minutes
   await page.goto(pathToFileURL(resolve(file)).href, { waitUntil: "commit" });
   await page.waitForFunction(() => document.documentElement.dataset.ready === "yes");
-  await page.waitForTimeout(1000);
+  await page.evaluate(() => {
+    document.querySelector(".views").scrollIntoView({ behavior: "instant", block: "start" });
+    return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+  });
+  const clip = await page.evaluate(() => {
+    const { x, y, width, height } = document.querySelector(".views").getBoundingClientRect();
+    return { x, y, width, height };
+  });
   const path = join(folder, basename(file).replace(/\.html$/, ".jpg"));
-  await page.locator(".views").screenshot({ path, type: "jpeg", quality: 82 });
+  await page.screenshot({ path, clip, type: "jpeg", quality: 82 });
   await page.close();
 }
 await browser.close();
