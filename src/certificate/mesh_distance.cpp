@@ -62,4 +62,12 @@ double MeshDistance::operator()(const Point3& p) const
     return std::sqrt(tree_->tree.squared_distance(cgal_point(p)));
 }
 
+NearestPoint MeshDistance::nearest(const Point3& p) const
+{
+    const auto [point, triangle] = tree_->tree.closest_point_and_primitive(cgal_point(p));
+    const Kernel::Vector_3 normal = CGAL::cross_product(triangle->vertex(1) - triangle->vertex(0),
+                                                        triangle->vertex(2) - triangle->vertex(0));
+    return {{point.x(), point.y(), point.z()}, normalized(Vec3{normal.x(), normal.y(), normal.z()})};
+}
+
 } // namespace voroprobe

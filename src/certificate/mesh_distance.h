@@ -7,6 +7,13 @@
 namespace voroprobe
 {
 
+//! A point of a mesh and the way out there.
+struct NearestPoint
+{
+    Point3 point;
+    Vec3 normal; //!< of its face, unit
+};
+
 //! Distance of points to the nearest point of a mesh, exact but for the rounding of doubles. May be asked
 //! from several threads at once. Holds a copy of the corners.
 class MeshDistance
@@ -21,6 +28,9 @@ public:
 
     //! Cost: O(log n) where the point is near the mesh.
     [[nodiscard]] double operator()(const Point3& p) const;
+
+    //! The point of the mesh nearest to `p`; on a side of several faces the normal is that of one of them.
+    [[nodiscard]] NearestPoint nearest(const Point3& p) const;
 
 private:
     struct Tree;

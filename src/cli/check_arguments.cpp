@@ -58,6 +58,41 @@ void add_comparison_options(OptionGroup& group, CheckArguments& arguments)
                { arguments.samples = parse_count("--samples", given, kFewestSamples); });
 }
 
+const NumberRule kDensity{[](double x) { return x > 0.0; }, "a number > 0, g/cm3"};
+const NumberRule kOverhang{[](double x) { return x > 0.0 && x < 90.0; },
+                           "a number above 0 and below 90, degrees from the vertical"};
+
+void add_print_options(CLI::App& command, CheckArguments& arguments)
+{
+    constexpr const char* kGroup = "Printing (z is up, lengths in mm)";
+    OptionGroup group(command, kGroup);
+    CLI::Option* const printable = command.add_flag(
+        "--printable", arguments.printable,
+        "Judge whether it can be printed: size, bodies, cavities, walls,\ngaps, overhangs, material");
+    printable->group(kGroup);
+    PrintOptions& print = arguments.print;
+    group
+        .text("--min-wall", "MM", "Fail where a wall is thinner, mm",
+              [&print](const std::string& given)
+              { print.min_wall = parse_number("--min-wall", given, kLength); })
+        ->needs(printable);
+    group
+        .text("--bed", "X,Y,Z", "Fail where it does not fit this build volume, mm",
+              [&print](const std::string& given) { print.bed = parse_spacing("--bed", given); })
+        ->needs(printable);
+    group
+        .text("--density", "G", "Tell the weight at this density, g/cm3",
+              [&print](const std::string& given)
+              { print.density_g_cm3 = parse_number("--density", given, kDensity); })
+        ->needs(printable);
+    group
+        .text("--overhang", "DEG",
+              "Faces that lean out farther from the vertical hang over, degrees\n(default 45)",
+              [&print](const std::string& given)
+              { print.overhang_deg = parse_number("--overhang", given, kOverhang); })
+        ->needs(printable);
+}
+
 //! \throw UsageError where an option is given that says something of a scan, and no scan is.
 void refuse_without(const CLI::Option& against, const std::vector<CLI::Option*>& of_scan)
 {
@@ -82,6 +117,7 @@ void add_check_arguments(CLI::App& command, CheckArguments& arguments)
     command.add_flag("-q,--quiet", arguments.quiet, "No report on stdout; warnings and errors stay")
         ->group("Mesh");
 
+    add_print_options(command, arguments);
     OptionGroup scan(command, "Scan");
     CLI::Option* const against = add_scan(scan, arguments);
     const std::size_t before = command.get_options().size();

@@ -8,6 +8,7 @@
 #include "cli/mesh_arguments.h"
 #include "cli/output_frame.h"
 #include "io/volume_reader.h"
+#include "postprocess/print_check.h"
 #include "volume/level.h"
 
 namespace CLI // NOLINT(readability-identifier-naming): the name of the library
@@ -25,6 +26,9 @@ struct CheckArguments
     FaceCriteria criteria; //!< whose exceptions are counted; radius and center distance need a scan
     std::optional<std::filesystem::path> json = std::nullopt;
     bool quiet = false; //!< nothing on stdout
+
+    bool printable = false; //!< judge whether it can be printed, by these options
+    PrintOptions print;
 
     std::optional<std::filesystem::path> against = std::nullopt; //!< the scan; all below go with it only
     ReadOptions read;

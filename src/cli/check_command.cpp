@@ -87,7 +87,8 @@ void run_check_command(const CheckArguments& arguments)
     check_arguments(arguments);
     CheckRun run{.arguments = arguments, .check = {}};
     const Stopwatch reading;
-    TriangleMesh mesh = read_mesh(arguments.mesh);
+    const std::vector<MeshPart> parts = read_parts(arguments.mesh);
+    TriangleMesh mesh = merged(parts);
     std::optional<SurfaceInput> input;
     if (arguments.against)
         input = read_scan(arguments);
@@ -95,6 +96,11 @@ void run_check_command(const CheckArguments& arguments)
 
     const Stopwatch checking;
     run.check = check_mesh(mesh, arguments.criteria.min_angle_deg);
+    if (arguments.printable)
+    {
+        run.print = check_printable(parts, arguments.print);
+        print_warnings(run.print->warnings);
+    }
     if (input)
     {
         Certificate certificate = compare(std::move(mesh), run, *input);

@@ -8,6 +8,7 @@
 #include "cli/certificate_report.h"
 #include "cli/info_text.h"
 #include "cli/number_text.h"
+#include "cli/print_report.h"
 #include "support/memory.h"
 
 namespace voroprobe
@@ -206,9 +207,7 @@ bool lies_nowhere_near(const Certificate& certificate, const MeshCheck& check)
     return certificate.surfaces_meshed == 0 && certificate.foreign.size() == check.pieces.size();
 }
 
-} // namespace
-
-std::optional<std::string> what_is_wrong(const CheckRun& run)
+std::optional<std::string> wrong_with_mesh(const CheckRun& run)
 {
     if (!run.scan)
         return defects(run.check);
@@ -220,9 +219,21 @@ std::optional<std::string> what_is_wrong(const CheckRun& run)
     return reason;
 }
 
+} // namespace
+
+std::optional<std::string> what_is_wrong(const CheckRun& run)
+{
+    auto reason = wrong_with_mesh(run);
+    if (run.print)
+        for (const std::string& failure : run.print->failures)
+            reason = (reason ? *reason + ", " : "") + failure;
+    return reason;
+}
+
 std::string check_report(const CheckRun& run)
 {
-    return mesh_lines(run) + (run.scan ? scan_lines(run) : "") +
+    return mesh_lines(run) + (run.print ? print_lines(*run.print, run.arguments.print) : "") +
+           (run.scan ? scan_lines(run) : "") +
            info_line("time", "read " + seconds_text(run.seconds_reading) + ", check " +
                                  seconds_text(run.seconds_checking) + "; peak memory " +
                                  bytes_text(peak_memory_bytes()));
@@ -235,6 +246,8 @@ std::string check_json(const CheckRun& run)
                 {"status", wrong ? "incomplete" : "done"},
                 {"reason", wrong ? Json(*wrong) : Json(nullptr)},
                 {"mesh", mesh_json(run)}};
+    if (run.print)
+        result["printable"] = print_json(*run.print, run.arguments.print);
     if (run.scan)
     {
         result["scan"] = scan_json(run);

@@ -22,7 +22,8 @@ struct ScanComparison
 struct CheckRun
 {
     CheckArguments arguments;
-    MeshCheck check; //!< in the coordinates of the file
+    MeshCheck check;                                //!< in the coordinates of the file
+    std::optional<PrintCheck> print = std::nullopt; //!< where it was asked for
     std::optional<ScanComparison> scan = std::nullopt;
     double seconds_reading = 0.0; //!< wall clock: the mesh, and the scan
     double seconds_checking = 0.0;

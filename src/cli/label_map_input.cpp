@@ -145,6 +145,8 @@ void check_label_arguments(const MeshArguments& arguments)
     refuse_with_labels(arguments.max_vertices.has_value(), "--max-vertices");
     refuse_with_labels(!arguments.selection.keeps_all(),
                        "leaving out surfaces by --min-component-volume, --keep-largest or --drop-cavities");
+    refuse_with_labels(arguments.finish.changes_shape() || !arguments.finish.placement.keeps_all(),
+                       "working on the mesh (--decimate, --relax, --scale and so on; see process)");
     const SeedingArguments& finding = arguments.finding;
     refuse_with_labels(finding.seeding || finding.random_points || finding.component_radius ||
                            finding.component_count || finding.seeds || finding.max_seconds || finding.theorem,

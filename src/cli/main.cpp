@@ -13,6 +13,7 @@
 #include "cli/info_command.h"
 #include "cli/interrupt.h"
 #include "cli/mesh_command.h"
+#include "cli/process_command.h"
 #include "support/error.h"
 
 namespace
@@ -60,6 +61,10 @@ int run(int argc, const char* const* argv)
     CLI::App& compare =
         *app.add_subcommand("compare", "Hold our mesh of a scan against marching cubes and others: a page");
     voroprobe::add_compare_arguments(compare, compare_arguments);
+    voroprobe::ProcessArguments process_arguments;
+    CLI::App& process =
+        *app.add_subcommand("process", "Mend, smooth, decimate, relax, place a mesh made by anyone");
+    voroprobe::add_process_arguments(process, process_arguments);
 
     try
     {
@@ -81,9 +86,11 @@ int run(int argc, const char* const* argv)
         compare_arguments.command.front() = "voroprobe";
         voroprobe::run_compare_command(compare_arguments);
     }
+    if (process.parsed())
+        voroprobe::run_process_command(process_arguments);
     if (app.get_subcommands().empty())
         throw voroprobe::UsageError(
-            "a command is required: mesh, info, check or compare (see voroprobe --help)");
+            "a command is required: mesh, info, check, compare or process (see voroprobe --help)");
     return static_cast<int>(ExitStatus::kDone);
 }
 

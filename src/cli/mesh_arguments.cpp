@@ -124,6 +124,7 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments)
     add_label_options(command, arguments.label_map);
     add_criteria(command, arguments);
     add_selection(command, arguments);
+    add_finish_options(command, arguments.finish, OffersSmoothing::kNo);
     add_seeding_options(command, arguments.finding);
     add_output_options(command, arguments);
     add_read_options(command, arguments.read);

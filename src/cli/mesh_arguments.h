@@ -11,6 +11,7 @@
 #include "cli/label_arguments.h"
 #include "cli/mesh_defaults.h"
 #include "cli/output_frame.h"
+#include "cli/process_arguments.h"
 #include "cli/seeding_arguments.h"
 #include "io/volume_reader.h"
 #include "mesher/meshing_options.h"
@@ -52,6 +53,7 @@ struct MeshArguments
     LabelArguments label_map;
 
     SurfaceSelection selection;
+    FinishArguments finish;
 
     OutputFrame frame = OutputFrame::kLps;
     std::optional<std::string> format = std::nullopt; //!< unset: by the extension of `output`

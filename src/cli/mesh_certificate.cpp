@@ -1,10 +1,15 @@
 #include "cli/mesh_certificate.h"
 
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "certificate/mesh_distance.h"
+#include "certificate/mesh_samples.h"
 #include "certificate/surface_selection.h"
+#include "cli/process_steps.h"
 #include "support/error.h"
 #include "support/stopwatch.h"
 
@@ -52,17 +57,41 @@ void check_selection(const MeshArguments& arguments, const SurfaceInput& input)
                          input.format);
 }
 
-void drop_and_certify(MeshRun& run, MeshingResult& result)
+std::vector<DroppedSurface> drop_unwanted(const MeshRun& run, MeshingResult& result)
+{
+    const SurfaceInput& input = run.input;
+    if (!input.inventory || run.status == RunStatus::kPartial)
+        return {};
+    std::vector<DroppedSurface> dropped =
+        surfaces_to_drop(input.inventory->surfaces(), voxel_volume(input), run.arguments.selection);
+    if (!dropped.empty())
+        drop(dropped, input.inventory->surfaces().size(), result);
+    return dropped;
+}
+
+void finish_shape(MeshRun& run, MeshingResult& result)
+{
+    const FinishArguments& arguments = run.arguments.finish;
+    if (!arguments.changes_shape() || run.status == RunStatus::kPartial)
+        return;
+    const double reach = typical_edge_length(result.mesh);
+    const SurfaceProjection onto =
+        projection_onto(*run.input.oracle, std::make_shared<const MeshDistance>(result.mesh), reach);
+    const bool as_it_was = arguments.smooth == 0 && !arguments.decimates(); // else the surface is another one
+    result.mesh = finish(std::move(result.mesh), arguments, "", as_it_was ? &onto : nullptr, run.steps);
+    result.surface_of_face.clear();
+}
+
+void certify_mesh(MeshRun& run, const MeshingResult& result, const std::vector<DroppedSurface>& dropped)
 {
     const SurfaceInput& input = run.input;
     if (!input.inventory || run.status == RunStatus::kPartial)
         return;
     const Stopwatch clock;
-    const std::vector<DroppedSurface> dropped =
-        surfaces_to_drop(input.inventory->surfaces(), voxel_volume(input), run.arguments.selection);
-    if (!dropped.empty())
-        drop(dropped, input.inventory->surfaces().size(), result);
     const VoxelScale voxel = voxel_scale(input.placement.source_index_from_grid);
+    std::optional<std::span<const SurfaceId>> surface_of_face = result.surface_of_face;
+    if (result.surface_of_face.size() != result.mesh.faces.size())
+        surface_of_face = std::nullopt;
     run.certificate = certify(result.mesh, *input.oracle, input.inventory->surfaces(),
                               {.reach = kReachInVoxels * voxel.mean_side,
                                .caps = run.options.close_border ? BorderCaps::kCounted : BorderCaps::kLeftOut,
@@ -70,7 +99,7 @@ void drop_and_certify(MeshRun& run, MeshingResult& result)
                                             .max_radius = run.options.max_facet_radius,
                                             .max_center_distance = run.options.max_facet_distance},
                                .dropped = dropped},
-                              std::span<const SurfaceId>(result.surface_of_face));
+                              surface_of_face);
     if (run.status == RunStatus::kDone && broken_promise(*run.certificate))
         run.status = RunStatus::kIncomplete;
     run.timings.certificate = clock.seconds();

@@ -62,6 +62,17 @@ void check_input(const MeshArguments& arguments)
         throw UsageError("--frame-of-reference is 'index'; allowed: lps, ras, as there are no voxels");
 }
 
+//! Steps on the shape and the place go with closed meshes in mm.
+void check_finish(const MeshArguments& arguments)
+{
+    if (arguments.finish.changes_shape() && arguments.border == BorderFaces::kOpen)
+        throw UsageError("--border is 'open'; allowed: closed, with --decimate, --max-error and --relax");
+    if (!arguments.finish.placement.keeps_all() && arguments.frame == OutputFrame::kIndex)
+        throw UsageError(
+            "--frame-of-reference is 'index'; allowed: lps, ras, with --scale, --rotate, --translate, "
+            "--center and --on-bed");
+}
+
 //! Everything that can be refused before the input is read.
 MeshFormat check_outputs(const MeshArguments& arguments)
 {
@@ -181,6 +192,9 @@ void check_and_write(TriangleMesh& mesh, MeshFormat format, MeshRun& run, Progre
     if (run.input.domain)
         run.vertices_on_border = count_on_border(mesh, *run.input.domain);
     transform(mesh, output_from_grid(run.arguments.frame, run.input.placement));
+    std::vector<MeshPart> parts{{.name = "", .mesh = std::move(mesh)}};
+    place(parts, run.arguments.finish.placement);
+    mesh = std::move(parts.front().mesh);
     run.output_box = bounding_box(mesh);
     write_mesh(mesh, run.arguments.output, format, comments_for(run), pass_point_of_no_return);
     run.timings.write = clock.seconds();
@@ -225,6 +239,7 @@ void run_mesh_command(const MeshArguments& arguments)
     if (arguments.label_map.wanted())
         return run_labels_command(arguments);
     check_input(arguments);
+    check_finish(arguments);
     const MeshFormat format = check_outputs(arguments);
     auto progress =
         make_progress(arguments.quiet && arguments.progress == ProgressMode::kAuto ? ProgressMode::kNone
@@ -233,7 +248,9 @@ void run_mesh_command(const MeshArguments& arguments)
     print_warnings(run.input.warnings);
     MeshingResult result = refine_surface(run, *progress);
     progress->report({.phase = "check", .vertices = result.mesh.vertices.size()});
-    drop_and_certify(run, result);
+    const std::vector<DroppedSurface> dropped = drop_unwanted(run, result);
+    finish_shape(run, result);
+    certify_mesh(run, result, dropped);
     check_and_write(result.mesh, format, run, *progress);
     run.timings.total = clock.seconds();
     progress.reset(); // wipes the bar

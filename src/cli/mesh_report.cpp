@@ -90,6 +90,7 @@ std::string mesh_report(const MeshRun& run)
            info_line("", input_text(run.input)) +
            (run.input.has_isovalue() ? info_line("isovalue", surface_text(run)) : std::string()) +
            info_line("criteria", criteria_text(run.options)) + info_line("pieces", seeding_text(run)) +
+           step_lines(run.steps) +
            (run.certificate ? certificate_lines(*run.certificate, shown_from_grid(run)) : std::string()) +
            info_line("mesh",
                      count_text(facts.vertices) + " vertices, " + count_text(facts.faces) + " faces") +

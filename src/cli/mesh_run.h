@@ -6,6 +6,7 @@
 #include "certificate/certificate.h"
 #include "cli/mesh_arguments.h"
 #include "cli/mesh_facts.h"
+#include "cli/process_steps.h"
 #include "cli/surface_input.h"
 #include "mesher/seeded_mesher.h"
 
@@ -39,6 +40,7 @@ struct MeshRun
     MeshingStatistics statistics;
     MeshFacts facts;
     std::optional<Certificate> certificate = std::nullopt; //!< where the surfaces of the input can be listed
+    std::vector<StepReport> steps = {};                    //!< on the shape, after refinement
     Box3 output_box;                                       //!< in the frame of the output
     std::size_t vertices_on_border = 0;                    //!< where the domain of a formula cuts the object
     RunTimings timings;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/certificate_report.h"
+#include "cli/process_summary.h"
 #include "io/atomic_file.h"
 #include "support/error.h"
 #include "support/memory.h"
@@ -207,6 +208,8 @@ std::string summary_json(const MeshRun& run)
                    {"write", run.timings.write},
                    {"total", run.timings.total}}},
                  {"peak_memory_bytes", peak_memory_bytes()}};
+    if (!run.steps.empty())
+        summary["steps"] = steps_json(run.steps);
     if (run.certificate)
         summary["certificate"] = certificate_json(*run.certificate, shown_from_grid(run));
     return summary.dump(2) + '\n';

@@ -15,7 +15,7 @@ MAY_INCLUDE = {
     "src/certificate": ["oracles/surface_oracle.h", "src/mesh", "src/volume"],
     "io": ["src/volume", "src/mesh"],
     "src/labels": ["src/volume", "oracles", "src/mesher", "src/certificate"],
-    "src/postprocess": ["oracles/surface_oracle.h", "src/mesh"],
+    "src/postprocess": ["oracles/surface_oracle.h", "src/mesh", "src/certificate"],
     "src/compare": ["src/volume", "oracles", "src/mesher", "src/certificate"],
     "src/cli": ["src/volume", "oracles", "src/mesher", "io", "src/certificate", "src/labels", "src/postprocess", "src/compare"],
 }
@@ -29,7 +29,7 @@ THIRD_PARTIES = {
     "VTK": (("vtk",), ["io", "src/compare"]),
     "libtiff": (("tiffio.h",), ["io"]),
     "zlib": (("zlib.h",), ["io", "src/compare"]),
-    "CGAL": (("CGAL/", "boost/"), ["oracles", "src/mesher", "src/certificate", "src/compare", "src/labels"]),
+    "CGAL": (("CGAL/", "boost/"), ["oracles", "src/mesher", "src/certificate", "src/postprocess", "src/compare", "src/labels"]),
     "TBB": (("tbb/", "oneapi/tbb"), ["src/support", "src/volume", "src/mesher", "src/certificate", "src/labels", "src/compare"]),
     "muParser": (("muParser",), ["oracles"]),
     "CLI11": (("CLI/",), ["src/cli"]),

@@ -1,0 +1,180 @@
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "io/mesh_reader.h"
+#include "mesh/measures.h"
+#include "mesh/topology.h"
+#include "program_fixture.h"
+
+namespace voroprobe
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+//! A ball with a cavity, and a small ball beside it.
+Phantom shell_and_ball()
+{
+    Phantom phantom;
+    phantom.field = [](const Point3& p)
+    {
+        const double r = distance(p, {9.0, 9.0, 9.0});
+        return std::max(std::min(7.0 - r, r - 3.5), 2.0 - distance(p, {18, 18, 18}));
+    };
+    return phantom;
+}
+
+class ProcessTest : public ProgramTest
+{
+protected:
+    void SetUp() override
+    {
+        ProgramTest::SetUp();
+        write_phantom(shell_and_ball(), folder_ / "scan.mha");
+        const program::Outcome outcome =
+            program::run({"mesh", folder_ / "scan.mha", "-o", mesh(), "--isovalue", "0", "-q"});
+        ASSERT_EQ(outcome.status, 0) << outcome.err;
+    }
+
+    [[nodiscard]] std::string mesh() const { return folder_ / "scan.ply"; }
+
+    [[nodiscard]] program::Outcome process(const std::string& out, std::vector<std::string> more) const
+    {
+        std::vector<std::string> arguments{"process",     mesh(),      "-o",
+                                           folder_ / out, "--summary", folder_ / "summary.json"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return program::run(arguments);
+    }
+
+    [[nodiscard]] nlohmann::json summary() const
+    {
+        return nlohmann::json::parse(program::read_text(folder_ / "summary.json"));
+    }
+};
+
+TEST_F(ProcessTest, steps_come_in_one_order_and_are_told)
+{
+    const program::Outcome outcome =
+        process("out.stl", {"--on-bed", "--relax", "--decimate", "60%", "--keep-largest", "1", "--repair"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    std::vector<std::string> names;
+    const nlohmann::json told = summary();
+    for (const auto& step : told["steps"])
+        names.push_back(step["step"]);
+    EXPECT_EQ(names, (std::vector<std::string>{"repair", "bodies", "decimate", "relax"}));
+    for (const std::string& name : names)
+        EXPECT_NE(outcome.out.find("  " + name), std::string::npos) << outcome.out;
+    const TriangleMesh result = read_mesh(folder_ / "out.stl");
+    EXPECT_TRUE(is_closed_manifold(result));
+    EXPECT_EQ(count_components(result), 2U); // the shell and its cavity
+    EXPECT_NEAR(bounding_box(result).min.z, 0.0, 1e-5);
+    EXPECT_NEAR(bounding_box(result).center().x, 0.0, 1e-5);
+}
+
+TEST_F(ProcessTest, a_step_that_would_break_a_promise_stops_and_says_so)
+{
+    const program::Outcome outcome = process("out.stl", {"--smooth", "50", "--max-distance", "0.001"});
+    EXPECT_EQ(outcome.status, 5);
+    EXPECT_NE(outcome.err.find("step 'smooth'"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("--max-distance"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(folder_ / "out.stl"));
+}
+
+TEST_F(ProcessTest, bodies_are_split_into_files_and_objects)
+{
+    ASSERT_EQ(process("body{n}.stl", {"--split", "--sort"}).status, 0);
+    const double first = enclosed_volume(read_mesh(folder_ / "body1.stl"));
+    EXPECT_GT(first, enclosed_volume(read_mesh(folder_ / "body2.stl")));
+    EXPECT_FALSE(fs::exists(folder_ / "body3.stl"));
+
+    ASSERT_EQ(process("bodies.3mf", {"--split", "--sort"}).status, 0);
+    const std::vector<MeshPart> parts = read_parts(folder_ / "bodies.3mf");
+    ASSERT_EQ(parts.size(), 2U);
+    EXPECT_EQ(parts[0].name, "body 1");
+    EXPECT_NEAR(enclosed_volume(parts[0].mesh), first, 1e-3 * first);
+}
+
+TEST_F(ProcessTest, a_mesh_is_moved_as_it_is_told)
+{
+    const Box3 before = bounding_box(read_mesh(mesh()));
+    ASSERT_EQ(process("out.ply", {"--unit", "cm", "--rotate", "z:90", "--translate", "100,0,0"}).status, 0);
+    const Box3 after = bounding_box(read_mesh(folder_ / "out.ply"));
+    EXPECT_NEAR(after.min.x, 100.0 - 10.0 * before.max.y, 1e-3);
+    EXPECT_NEAR(after.max.y, 10.0 * before.max.x, 1e-3);
+    EXPECT_NEAR(after.max.z, 10.0 * before.max.z, 1e-3);
+}
+
+TEST_F(ProcessTest, a_hollow_has_the_wall_asked_for_and_a_way_out)
+{
+    ASSERT_EQ(process("closed.stl", {"--keep-largest", "1", "--drop-cavities", "--hollow", "2"}).status, 0);
+    const TriangleMesh closed = read_mesh(folder_ / "closed.stl");
+    EXPECT_TRUE(is_closed_manifold(closed));
+    EXPECT_EQ(count_components(closed), 2U);
+    const program::Outcome outcome =
+        process("open.stl", {"--keep-largest", "1", "--drop-cavities", "--hollow", "2", "--drain", "2"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const TriangleMesh open = read_mesh(folder_ / "open.stl");
+    EXPECT_TRUE(is_closed_manifold(open));
+    EXPECT_EQ(count_components(open), 1U);
+    EXPECT_EQ(euler_characteristic(open), 2); // a ball with a dent that goes round inside
+    EXPECT_EQ(program::run({"check", folder_ / "closed.stl", "--printable", "--min-wall", "1.5"}).status, 0);
+    // The rim of the drain is sharp.
+    EXPECT_EQ(program::run({"check", folder_ / "open.stl", "--printable", "--min-wall", "1"}).status, 0);
+    EXPECT_EQ(program::run({"check", folder_ / "open.stl", "--printable", "--min-wall", "2.5"}).status, 5);
+}
+
+TEST_F(ProcessTest, printing_is_judged)
+{
+    const program::Outcome outcome =
+        program::run({"check", mesh(), "--printable", "--density", "1.2", "--json", folder_ / "check.json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("no way out"), std::string::npos) << outcome.err;
+    const nlohmann::json print =
+        nlohmann::json::parse(program::read_text(folder_ / "check.json"))["printable"];
+    EXPECT_EQ(print["bodies"], 2);
+    EXPECT_EQ(print["trapped_cavities"].size(), 1U);
+    // Both sides may be off by the distance criterion, 0.3 of a voxel.
+    EXPECT_NEAR(print["thinnest_wall"]["mm"].get<double>(), 3.5, 0.6);
+    const program::Outcome small = program::run({"check", mesh(), "--printable", "--bed", "10,10,10"});
+    EXPECT_EQ(small.status, 5);
+    EXPECT_NE(small.err.find("--bed"), std::string::npos) << small.err;
+}
+
+TEST_F(ProcessTest, wrong_usage_is_refused_before_anything_is_read)
+{
+    const std::vector<std::vector<std::string>> wrong{
+        {"--split"},          {"--max-hole", "3"},    {"--decimate", "0%"}, {"--decimate", "3"},
+        {"--rotate", "w:10"}, {"--translate", "1,2"}, {"--scale", "0"},     {"--drain", "2"},
+        {"--smooth", "-1"},   {"--unit", "foot"}};
+    for (const auto& options : wrong)
+    {
+        const program::Outcome outcome = process("out.stl", options);
+        EXPECT_EQ(outcome.status, 2) << options[0];
+        EXPECT_NE(outcome.err.find(options[0]), std::string::npos) << outcome.err;
+    }
+    EXPECT_EQ(program::run({"process", mesh(), "-o", mesh(), "--center"}).status, 2);
+    EXPECT_EQ(program::run({"process", folder_ / "none.stl", "-o", folder_ / "out.stl"}).status, 3);
+    EXPECT_EQ(program::run({"check", mesh(), "--min-wall", "1"}).status, 2);
+}
+
+TEST_F(ProcessTest, a_mesh_can_be_finished_as_it_is_made)
+{
+    const program::Outcome outcome =
+        program::run({"mesh", folder_ / "scan.mha", "-o", folder_ / "relaxed.stl", "--isovalue", "0",
+                      "--relax", "--on-bed", "--summary", folder_ / "summary.json"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(summary()["steps"][0]["step"], "relax");
+    EXPECT_TRUE(summary()["certificate"]["complete"]);
+    const TriangleMesh result = read_mesh(folder_ / "relaxed.stl");
+    EXPECT_GE(measure_angles(result).min_deg, 33.0);
+    EXPECT_NEAR(bounding_box(result).min.z, 0.0, 1e-5);
+}
+
+} // namespace
+} // namespace voroprobe
