@@ -36,7 +36,7 @@ TEST(Readme, names_every_option_of_the_commands)
 {
     const std::string text = readme();
     const std::set<std::string> named = long_options_in(text);
-    for (const char* command : {"mesh", "info", "check", "compare"})
+    for (const char* command : {"mesh", "info", "check", "compare", "process"})
         for (const std::string& option : long_options_in(program::run({command, "--help"}).out))
             EXPECT_TRUE(named.contains(option)) << option;
 }
@@ -44,7 +44,7 @@ TEST(Readme, names_every_option_of_the_commands)
 TEST(Readme, names_no_option_of_the_commands_that_does_not_exist)
 {
     std::set<std::string> known{"--version"};
-    for (const char* command : {"mesh", "info", "check", "compare"})
+    for (const char* command : {"mesh", "info", "check", "compare", "process"})
         known.merge(long_options_in(program::run({command, "--help"}).out));
     static const std::regex kTableRow("\\n\\| `(?:-., )?(--[a-z-]+)");
     const std::string text = readme();
