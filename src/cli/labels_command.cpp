@@ -8,6 +8,7 @@
 #include "cli/label_output.h"
 #include "cli/labels_report.h"
 #include "cli/labels_run.h"
+#include "cli/mesh_budget.h"
 #include "cli/mesh_defaults.h"
 #include "cli/summary.h"
 #include "cli/warnings.h"
@@ -35,7 +36,7 @@ MeshFormat check_pattern(const MeshArguments& arguments)
     return format;
 }
 
-LabelMeshingOptions options_of(const MeshArguments& arguments, const LabelMap& map)
+LabelMeshingOptions options_of(const MeshArguments& arguments, const LabelMap& map, std::size_t threads)
 {
     const VoxelScale voxel = voxel_scale(map.placement.source_index_from_grid);
     LabelMeshingOptions options{.criteria = meshing_options(arguments.criteria, voxel),
@@ -43,6 +44,7 @@ LabelMeshingOptions options_of(const MeshArguments& arguments, const LabelMap& m
                                     LabelSmoothing{.method = SmoothingMethod::kGaussian})};
     if (arguments.label_map.shared_interfaces)
         options.smoothing.method = SmoothingMethod::kJoint;
+    options.criteria.max_vertices = std::max<std::size_t>(1, vertices_in_memory() / threads);
     options.criteria.isolated_vertices = arguments.isolated_vertices;
     if (options.smoothing.sigma == 0.0)
         options.smoothing.sigma = kDefaultSigmaInMeanSides * voxel.mean_side;
@@ -98,11 +100,12 @@ void run_labels_command(const MeshArguments& arguments)
     LabelMap map = read_label_map(arguments);
     std::vector<LabelOutcome> labels = chosen_labels(arguments, map);
     print_warnings(map.warnings);
-    const LabelMeshingOptions options = options_of(arguments, map);
+    const std::size_t threads = arguments.threads.value_or(std::max(1U, std::thread::hardware_concurrency()));
+    const LabelMeshingOptions options = options_of(arguments, map, threads);
     LabelsRun run{.arguments = arguments,
                   .map = std::move(map),
                   .options = options,
-                  .threads = arguments.threads.value_or(std::max(1U, std::thread::hardware_concurrency())),
+                  .threads = threads,
                   .labels = std::move(labels),
                   .timings = {}};
     LabelOutput output(arguments, format, run.labels);

@@ -14,6 +14,8 @@ namespace
 std::string fault_text(const LabelOutcome& label)
 {
     std::string text = "label " + std::to_string(label.value) + " (" + label.name + "): ";
+    if (!label.done)
+        return text + "not meshed";
     if (!label.mesh.faults.empty())
         return text + count_text(label.mesh.faults.size()) + " of " + count_text(label.parts_expected) +
                " parts not whole, the first " + label.mesh.faults.front().reason;
@@ -48,7 +50,7 @@ void check_promises(const LabelsRun& run)
     std::string text;
     std::size_t count = 0;
     for (const LabelOutcome& label : run.labels)
-        if (!label.mesh.complete() && count++ < kMostNamed)
+        if (!(label.done && label.mesh.complete()) && count++ < kMostNamed)
             text += "; " + fault_text(label);
     if (count > kMostNamed)
         text += "; and " + count_text(count - kMostNamed) + " more";

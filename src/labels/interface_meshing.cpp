@@ -287,6 +287,11 @@ private:
             if (!delaunay_.tds().cells().is_used(bad.cell) || bad.cell->info().stamp != bad.stamp ||
                 bad.cell->neighbor(bad.index)->info().stamp != bad.stamp_of_other)
                 continue;
+            if (criteria_.max_vertices && vertex_count_ >= *criteria_.max_vertices)
+            {
+                stopped_ = MeshingStatus::kBudgetExhausted;
+                return;
+            }
             insert(bad.center, bad.cell);
             report();
         }
@@ -299,7 +304,8 @@ private:
         next_report_ = vertex_count_ + kInsertionsBetweenReports;
         progress_->report(
             {.phase = "refinement", .vertices = vertex_count_, .bad_facets_left = bad_facets_.size()});
-        stopped_ = progress_->stop_requested();
+        if (progress_->stop_requested())
+            stopped_ = MeshingStatus::kInterrupted;
     }
 
     //! The part of the cell's label that has the voxel nearest to its circumcenter, among the voxels around
@@ -483,7 +489,7 @@ private:
                            .missing_parts = {},
                            .merged_parts = {},
                            .crumbs_dissolved = crumbs_,
-                           .status = stopped_ ? MeshingStatus::kInterrupted : MeshingStatus::kDone};
+                           .status = stopped_.value_or(MeshingStatus::kDone)};
         mesh.vertices.resize(vertex_count_);
         for (const VertexHandle vertex : delaunay_.finite_vertex_handles())
             if (vertex->info() != kSentinel)
@@ -519,9 +525,9 @@ private:
     std::vector<BadFacet> bad_facets_;
     std::size_t crumbs_ = 0;
     std::size_t next_report_ = 0;
-    bool stopped_ = false;
-    std::vector<CellHandle> cells_;               //!< scratch
-    std::vector<LabelPartition::Change> changes_; //!< scratch
+    std::optional<MeshingStatus> stopped_ = std::nullopt; //!< why, before the work was done
+    std::vector<CellHandle> cells_;                       //!< scratch
+    std::vector<LabelPartition::Change> changes_;         //!< scratch
 };
 
 } // namespace

@@ -7,6 +7,8 @@
 #include "labels/label_partition.h"
 #include "mesh/measures.h"
 #include "mesh/topology.h"
+#include "support/error.h"
+#include "support/number_text.h"
 
 namespace voroprobe
 {
@@ -53,6 +55,10 @@ void mesh_labels_jointly(const LabelSurvey& survey, std::span<const std::uint32_
 {
     const LabelPartition partition(survey, labels, spacing);
     const InterfaceMesh interfaces = mesh_interfaces(survey, labels, spacing, partition, criteria, progress);
+    if (interfaces.status == MeshingStatus::kBudgetExhausted)
+        throw Error(ExitStatus::kBudget, "the labels take more than " +
+                                             count_text(criteria.max_vertices.value_or(0)) +
+                                             " vertices at this size, distance and floor; none was meshed");
     if (interfaces.status != MeshingStatus::kDone)
         return;
     for (const std::uint32_t place : labels)

@@ -12,6 +12,8 @@
 #include <tbb/task_group.h>
 
 #include "mesh/measures.h"
+#include "support/error.h"
+#include "support/number_text.h"
 
 namespace voroprobe
 {
@@ -178,6 +180,11 @@ private:
         LabelInWork& label = *task.label;
         GroupProgress progress(progress_);
         GroupMesh mesh = mesh_group(survey_, label.groups[task.group], spacing_, options_, &progress);
+        if (mesh.status == MeshingStatus::kBudgetExhausted)
+            throw Error(ExitStatus::kBudget,
+                        "label " + std::to_string(survey_.labels()[label.label].value) + " takes more than " +
+                            count_text(options_.criteria.max_vertices.value_or(0)) +
+                            " vertices at this size, distance and floor; it was not meshed");
         if (mesh.status != MeshingStatus::kDone)
             return; // stopped: the label is never done
         label.meshes[task.group] = std::move(mesh);

@@ -42,8 +42,9 @@ struct LabelMesh
 //! thread; the meshes are the same for any number of threads. `labels`: places in LabelSurvey::labels().
 //! `threads`: 0 for all there are. Largest labels first; in memory are those that are being meshed. Time
 //! follows the samples in the boxes of the parts and the vertices. Progress may be reported from any thread,
-//! one at a time. \throw whatever `done` throws; UsageError as mesh_surface. Where the sink asks to stop it
-//! returns without the labels that are not done.
+//! one at a time. \throw whatever `done` throws; UsageError as mesh_surface; Error (kBudget) where a label
+//! takes more vertices than the options allow. Where the sink asks to stop it returns without the labels that
+//! are not done.
 void mesh_labels(const LabelSurvey& survey, std::span<const std::uint32_t> labels, const Vec3& spacing,
                  const LabelMeshingOptions& options, std::size_t threads, ProgressSink* progress,
                  const std::function<void(LabelMesh)>& done);
