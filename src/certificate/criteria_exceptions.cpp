@@ -8,6 +8,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include "certificate/nearest_crossing.h"
+#include "mesh/circumcircle.h"
 #include "mesh/measures.h"
 
 namespace voroprobe
@@ -21,35 +22,13 @@ constexpr double kFileRounding = 1e-5;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-struct Circle
-{
-    Point3 center;
-    Vec3 normal;
-    double radius;
-};
-
-//! Through the corners of a face; nullopt where it has no area.
-std::optional<Circle> circumcircle(const TriangleMesh& mesh, const TriangleMesh::Face& face)
-{
-    const Point3 a = mesh.corner(face, 0);
-    const Vec3 to_b = mesh.corner(face, 1) - a;
-    const Vec3 to_c = mesh.corner(face, 2) - a;
-    const Vec3 normal = cross(to_b, to_c);
-    if (!(squared_norm(normal) > 0.0))
-        return std::nullopt;
-    const Vec3 to_center =
-        (squared_norm(to_b) * cross(to_c, normal) + squared_norm(to_c) * cross(normal, to_b)) /
-        (2.0 * squared_norm(normal));
-    return Circle{a + to_center, normalized(normal), norm(to_center)};
-}
-
 struct Counts
 {
     std::size_t size = 0;
     std::size_t distance = 0;
 };
 
-void judge(const Circle& circle, const FaceCriteria& criteria, NearestCrossing& search, Counts& counts)
+void judge(const Circumcircle& circle, const FaceCriteria& criteria, NearestCrossing& search, Counts& counts)
 {
     const double max_radius = (1.0 + kFileRounding) * criteria.max_radius.value_or(0.0);
     const double max_distance = (1.0 + kFileRounding) * criteria.max_center_distance.value_or(0.0);
@@ -66,7 +45,9 @@ Counts count_balls(const TriangleMesh& mesh, const SurfaceOracle& oracle, const 
         NearestCrossing search(oracle);
         for (std::size_t f = range.begin(); f < range.end(); ++f)
         {
-            const auto circle = circumcircle(mesh, mesh.faces[f]);
+            const TriangleMesh::Face& face = mesh.faces[f];
+            const auto circle =
+                circumcircle(mesh.corner(face, 0), mesh.corner(face, 1), mesh.corner(face, 2));
             if (circle)
                 judge(*circle, criteria, search, counts);
             else

@@ -1,5 +1,6 @@
 #include "cli/mesh_certificate.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -24,6 +25,14 @@ constexpr double kReachInVoxels = 1.0;
 double voxel_volume(const SurfaceInput& input)
 {
     return 1.0 / std::abs(determinant(input.placement.source_index_from_grid.linear));
+}
+
+//! The distance criterion of refinement holds on; where there is none, a share of an edge.
+double relaxation_bound(const MeshRun& run, double edge)
+{
+    constexpr double kShareOfEdge = 0.25;
+    return std::min(run.options.max_facet_distance.value_or(kShareOfEdge * edge),
+                    run.arguments.finish.max_distance.value_or(edge));
 }
 
 void drop(const std::vector<DroppedSurface>& dropped, std::size_t surface_count, MeshingResult& result)
@@ -74,11 +83,12 @@ void finish_shape(MeshRun& run, MeshingResult& result)
     const FinishArguments& arguments = run.arguments.finish;
     if (!arguments.changes_shape() || run.status == RunStatus::kPartial)
         return;
-    const double reach = typical_edge_length(result.mesh);
-    const SurfaceProjection onto =
-        projection_onto(*run.input.oracle, std::make_shared<const MeshDistance>(result.mesh), reach);
+    const double edge = typical_edge_length(result.mesh);
+    const BoundingSurface surface{
+        projection_onto(*run.input.oracle, std::make_shared<const MeshDistance>(result.mesh), edge),
+        face_distance_to(*run.input.oracle, edge), relaxation_bound(run, edge)};
     const bool as_it_was = arguments.smooth == 0 && !arguments.decimates(); // else the surface is another one
-    result.mesh = finish(std::move(result.mesh), arguments, "", as_it_was ? &onto : nullptr, run.steps);
+    result.mesh = finish(std::move(result.mesh), arguments, "", as_it_was ? &surface : nullptr, run.steps);
     result.surface_of_face.clear();
 }
 

@@ -27,7 +27,7 @@ namespace
 //! A step may move the surface by a typical edge after it, unless told otherwise.
 constexpr double kEdgesMoved = 1.0;
 
-//! Relaxation keeps the middles of faces so much nearer, as it knows the surface.
+//! Relaxation keeps faces so much nearer, as it knows the surface.
 constexpr double kRelaxationShare = 0.25;
 
 //! Angles that are equal but for rounding.
@@ -170,17 +170,33 @@ TriangleMesh decimated(const TriangleMesh& mesh, const DecimationOptions& option
     return std::move(result.mesh);
 }
 
-TriangleMesh relaxed(const TriangleMesh& mesh, const FinishArguments& arguments,
-                     const SurfaceProjection* projection, std::string& done)
+//! A mesh as the surface that its relaxation keeps to.
+BoundingSurface itself(const TriangleMesh& mesh, double max_distance)
 {
-    const SurfaceProjection onto =
-        projection != nullptr ? *projection : projection_onto(std::make_shared<const MeshDistance>(mesh));
-    const double bound = arguments.max_distance.value_or(kEdgesMoved * typical_edge_length(mesh));
-    RelaxationResult result = relax(mesh, onto, {.max_distance = kRelaxationShare * bound});
+    const auto distance = std::make_shared<const MeshDistance>(mesh);
+    return {projection_onto(distance), face_distance_to(distance), max_distance};
+}
+
+std::string short_faces_text(const ShortFaces& faces)
+{
+    std::string text = plural(faces.all(), "face", "faces") + " left below 33 deg";
+    if (faces.all() > 0)
+        text += ": " + count_text(faces.beyond_bound) + " beside faces beyond the distance bound, " +
+                count_text(faces.at_creases) + " where the surface turns within a face, " +
+                count_text(faces.elsewhere) + " elsewhere";
+    return text;
+}
+
+TriangleMesh relaxed(const TriangleMesh& mesh, const FinishArguments& arguments,
+                     const BoundingSurface* surface, std::string& done)
+{
+    const double bound =
+        kRelaxationShare * arguments.max_distance.value_or(kEdgesMoved * typical_edge_length(mesh));
+    RelaxationResult result = relax(mesh, surface != nullptr ? *surface : itself(mesh, bound));
     done = plural(result.vertices_moved, "vertex", "vertices") + " moved, " +
            plural(result.edges_flipped, "edge", "edges") + " flipped, " + count_text(result.edges_collapsed) +
            " collapsed, " + count_text(result.edges_split) + " split; " +
-           plural(count_faces_below_angle(result.mesh, 33.0), "face", "faces") + " left below 33 deg";
+           short_faces_text(result.short_faces);
     return std::move(result.mesh);
 }
 
@@ -338,7 +354,7 @@ std::vector<MeshPart> mend(std::vector<MeshPart> parts, const ProcessArguments& 
 }
 
 TriangleMesh finish(TriangleMesh mesh, const FinishArguments& arguments, const std::string& part,
-                    const SurfaceProjection* projection, std::vector<StepReport>& reports)
+                    const BoundingSurface* surface, std::vector<StepReport>& reports)
 {
     if (!arguments.changes_shape())
         return mesh;
@@ -362,7 +378,7 @@ TriangleMesh finish(TriangleMesh mesh, const FinishArguments& arguments, const s
     if (arguments.relax)
         steps.run_on_shape("relax", arguments.max_distance,
                            [&](const TriangleMesh& before, std::string& done)
-                           { return relaxed(before, arguments, projection, done); });
+                           { return relaxed(before, arguments, surface, done); });
     return steps.take();
 }
 

@@ -10,7 +10,7 @@
 #include "mesh/mesh_part.h"
 #include "mesh/topology.h"
 #include "postprocess/deviation.h"
-#include "postprocess/surface_projection.h"
+#include "postprocess/bounding_surface.h"
 
 namespace voroprobe
 {
@@ -46,11 +46,11 @@ struct StepReport
 std::vector<MeshPart> mend(std::vector<MeshPart> parts, const ProcessArguments& arguments,
                            std::vector<StepReport>& reports);
 
-//! The steps on the shape and the place of one mesh. `projection`: the surface that relaxation keeps to;
+//! The steps on the shape and the place of one mesh. `surface`: what relaxation keeps to;
 //! unset: the mesh as it comes to that step. \throw Error kIncomplete with the name of a step that would
 //! break a promise.
 TriangleMesh finish(TriangleMesh mesh, const FinishArguments& arguments, const std::string& part,
-                    const SurfaceProjection* projection, std::vector<StepReport>& reports);
+                    const BoundingSurface* surface, std::vector<StepReport>& reports);
 
 //! Hollows one mesh out and meshes it anew. \throw Error kIncomplete where the new mesh is not all of the
 //! solid's surface.

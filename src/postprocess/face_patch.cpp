@@ -52,7 +52,7 @@ std::array<Vec3, 2> tangents(const Vec3& normal)
 } // namespace
 
 FacePatch::FacePatch(const EditableMesh& mesh, std::span<const std::uint32_t> inner)
-    : mesh_(mesh), inner_(inner.begin(), inner.end())
+    : mesh_(&mesh), inner_(inner.begin(), inner.end())
 {
     for (const std::uint32_t v : inner_)
     {
@@ -69,7 +69,7 @@ Point3 FacePatch::point(std::uint32_t vertex) const
     for (const Moved& moved : moved_)
         if (moved.vertex == vertex)
             return moved.to;
-    return mesh_.point(vertex);
+    return mesh_->point(vertex);
 }
 
 bool FacePatch::replaces(std::uint32_t face) const
@@ -119,6 +119,37 @@ std::vector<std::uint32_t> FacePatch::neighbours(std::uint32_t vertex) const
     return result;
 }
 
+//! Number of faces around a vertex, in the patch and outside.
+std::size_t FacePatch::valence(std::uint32_t vertex) const
+{
+    auto count = static_cast<std::size_t>(std::count_if(
+        faces_.begin(), faces_.end(), [vertex](const Face& face) { return names(face, vertex); }));
+    if (vertex < mesh_->vertex_count())
+        for (const std::uint32_t f : mesh_->faces_of(vertex))
+            count += replaces(f) ? 0 : 1;
+    return count;
+}
+
+bool FacePatch::are_neighbours(std::uint32_t a, std::uint32_t b) const
+{
+    const auto joins = [a, b](const Face& face) { return names(face, a) && names(face, b); };
+    if (std::any_of(faces_.begin(), faces_.end(), joins))
+        return true;
+    return a < mesh_->vertex_count() &&
+           std::any_of(mesh_->faces_of(a).begin(), mesh_->faces_of(a).end(),
+                       [&](std::uint32_t f) { return !replaces(f) && joins(mesh_->face(f)); });
+}
+
+std::vector<std::array<std::uint32_t, 2>> FacePatch::inner_edges() const
+{
+    std::vector<std::array<std::uint32_t, 2>> edges;
+    for (const Face& face : faces_)
+        for (std::size_t i = 0; i < 3; ++i)
+            if (const std::uint32_t a = face[i], b = face[(i + 1) % 3]; a < b && is_inner(a) && is_inner(b))
+                edges.push_back({a, b});
+    return edges;
+}
+
 bool FacePatch::flip(std::uint32_t a, std::uint32_t b)
 {
     const auto f = index_along(a, b);
@@ -127,8 +158,7 @@ bool FacePatch::flip(std::uint32_t a, std::uint32_t b)
         return false;
     const std::uint32_t c = opposite_corner(faces_[*f], a, b);
     const std::uint32_t d = opposite_corner(faces_[*g], a, b);
-    if (mesh_.are_neighbours(c, d) || mesh_.faces_of(a).size() <= kFewestFaces ||
-        mesh_.faces_of(b).size() <= kFewestFaces)
+    if (are_neighbours(c, d) || valence(a) <= kFewestFaces || valence(b) <= kFewestFaces)
         return false;
     faces_[*f] = {a, d, c};
     faces_[*g] = {d, b, c};
@@ -144,7 +174,7 @@ bool FacePatch::collapse(std::uint32_t a, std::uint32_t b)
         return false;
     const std::uint32_t c = opposite_corner(faces_[*f], a, b);
     const std::uint32_t d = opposite_corner(faces_[*g], a, b);
-    if (mesh_.faces_of(c).size() <= kFewestFaces || mesh_.faces_of(d).size() <= kFewestFaces)
+    if (valence(c) <= kFewestFaces || valence(d) <= kFewestFaces)
         return false;
     for (const std::uint32_t v : neighbours(a))
         if (v != b && v != c && v != d && contains(neighbours(b), v))
@@ -162,10 +192,9 @@ bool FacePatch::split(std::uint32_t a, std::uint32_t b)
 {
     const auto f = index_along(a, b);
     const auto g = index_along(b, a);
-    if (!f || !g || has_new_vertex_)
+    if (!f || !g)
         return false;
-    has_new_vertex_ = true;
-    const auto m = static_cast<std::uint32_t>(mesh_.vertex_count());
+    const auto m = static_cast<std::uint32_t>(mesh_->vertex_count()) + new_vertices_++;
     Face second_f = faces_[*f];
     Face second_g = faces_[*g];
     rename(faces_[*f], b, m);
@@ -192,8 +221,24 @@ double FacePatch::smallest_angle_around(std::uint32_t vertex, const Point3& at) 
     return smallest;
 }
 
+//! Does no face around the vertex come to lie beyond the bound, or farther beyond it, by the move?
+bool FacePatch::keeps_bound(std::uint32_t vertex, const Point3& to, const BoundingSurface& surface) const
+{
+    return std::all_of(faces_.begin(), faces_.end(),
+                       [&](const Face& face)
+                       {
+                           if (!names(face, vertex))
+                               return true;
+                           const Point3 b = point(next_corner(face, vertex));
+                           const Point3 c = point(next_corner(face, next_corner(face, vertex)));
+                           const double after = surface.distance(to, b, c);
+                           return after <= surface.max_distance ||
+                                  after <= surface.distance(point(vertex), b, c);
+                       });
+}
+
 //! Compass search in the tangent plane. Source: Kolda, Lewis & Torczon 2003.
-void FacePatch::improve_position(std::uint32_t vertex, const SurfaceProjection* onto)
+void FacePatch::improve_position(std::uint32_t vertex, const BoundingSurface* surface)
 {
     Point3 at = point(vertex);
     Vec3 normal;
@@ -216,10 +261,10 @@ void FacePatch::improve_position(std::uint32_t vertex, const SurfaceProjection* 
         {
             const double turn = 2.0 * std::numbers::pi * i / kDirections;
             Point3 trial = at + step * reach * (std::cos(turn) * u + std::sin(turn) * w);
-            if (onto != nullptr)
-                trial = (*onto)(trial).value_or(NearestPoint{at, {}}).point;
+            if (surface != nullptr)
+                trial = surface->projection(trial).value_or(NearestPoint{at, {}}).point;
             const double angle = smallest_angle_around(vertex, trial);
-            if (angle > best)
+            if (angle > best && (surface == nullptr || keeps_bound(vertex, trial, *surface)))
             {
                 best = angle;
                 at = trial;
@@ -233,11 +278,11 @@ void FacePatch::improve_position(std::uint32_t vertex, const SurfaceProjection* 
         move(vertex, at);
 }
 
-void FacePatch::improve_positions(int rounds, const SurfaceProjection* onto)
+void FacePatch::improve_positions(int rounds, const BoundingSurface* surface)
 {
     for (int round = 0; round < rounds; ++round)
         for (const std::uint32_t v : inner_)
-            improve_position(v, onto);
+            improve_position(v, surface);
 }
 
 double FacePatch::shortfall(double goal_angle_deg) const
@@ -263,8 +308,9 @@ double FacePatch::smallest_angle_deg() const
 
 void FacePatch::commit(EditableMesh& mesh) const
 {
-    if (has_new_vertex_)
-        mesh.add_vertex(point(static_cast<std::uint32_t>(mesh.vertex_count())));
+    const auto first = static_cast<std::uint32_t>(mesh.vertex_count());
+    for (std::uint32_t i = 0; i < new_vertices_; ++i)
+        mesh.add_vertex(point(first + i));
     for (const Moved& moved : moved_)
         mesh.move(moved.vertex, moved.to);
     mesh.replace(removed_, faces_);

@@ -1,12 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "postprocess/bounding_surface.h"
 #include "postprocess/editable_mesh.h"
-#include "postprocess/surface_projection.h"
 
 namespace voroprobe
 {
@@ -31,8 +32,12 @@ public:
     bool split(std::uint32_t a, std::uint32_t b);
 
     //! Moves the inner vertices, one after another, to where the smallest angle around them is largest.
-    //! With a projection every place tried is on the surface: slower, and better where that bends.
-    void improve_positions(int rounds, const SurfaceProjection* onto = nullptr);
+    //! With a surface every place tried is on it, and none takes a face beyond the bound that was not beyond
+    //! it, or farther: slower, and better where the surface bends.
+    void improve_positions(int rounds, const BoundingSurface* surface = nullptr);
+
+    //! Edges with both ends inner, each once.
+    [[nodiscard]] std::vector<std::array<std::uint32_t, 2>> inner_edges() const;
 
     //! Inner vertices, those that a split made included.
     [[nodiscard]] const std::vector<std::uint32_t>& inner() const { return inner_; }
@@ -56,16 +61,20 @@ private:
 
     [[nodiscard]] std::optional<std::size_t> index_along(std::uint32_t a, std::uint32_t b) const;
     [[nodiscard]] bool is_inner(std::uint32_t vertex) const;
+    [[nodiscard]] std::size_t valence(std::uint32_t vertex) const;
+    [[nodiscard]] bool are_neighbours(std::uint32_t a, std::uint32_t b) const;
     [[nodiscard]] std::vector<std::uint32_t> neighbours(std::uint32_t vertex) const;
     [[nodiscard]] double smallest_angle_around(std::uint32_t vertex, const Point3& at) const;
-    void improve_position(std::uint32_t vertex, const SurfaceProjection* onto);
+    [[nodiscard]] bool keeps_bound(std::uint32_t vertex, const Point3& to,
+                                   const BoundingSurface& surface) const;
+    void improve_position(std::uint32_t vertex, const BoundingSurface* surface);
 
-    const EditableMesh& mesh_;
+    const EditableMesh* mesh_;           //!< never null; patches can be assigned
     std::vector<std::uint32_t> removed_; //!< the faces of the mesh that the patch stands for
     std::vector<Face> faces_;
     std::vector<std::uint32_t> inner_; //!< all of whose faces are in the patch
     std::vector<Moved> moved_;
-    bool has_new_vertex_ = false; //!< numbered mesh_.vertex_count()
+    std::uint32_t new_vertices_ = 0; //!< numbered from mesh_->vertex_count() on
 };
 
 } // namespace voroprobe

@@ -3,7 +3,8 @@
 #include <cstddef>
 
 #include "mesh/triangle_mesh.h"
-#include "postprocess/surface_projection.h"
+#include "postprocess/angle_repair.h"
+#include "postprocess/bounding_surface.h"
 
 namespace voroprobe
 {
@@ -11,12 +12,8 @@ namespace voroprobe
 //! How far relaxation is to go.
 struct RelaxationOptions
 {
-    //! Changed faces have their middle no farther from the surface, or no farther than the faces they
-    //! replace; scan units, > 0.
-    double max_distance;
-
-    //! Faces with a smaller angle are worked on one by one, degrees, in [0, 40].
-    double goal_angle_deg = 34.0;
+    //! What the smallest angle is to be, degrees, in [0, 40]. Faces with less are told.
+    double target_angle_deg = 33.0;
 
     //! Passes over the whole mesh before that.
     int sweeps = 8;
@@ -30,20 +27,20 @@ struct RelaxationResult
     std::size_t edges_flipped = 0;
     std::size_t edges_collapsed = 0;
     std::size_t edges_split = 0;
-    std::size_t faces_below_goal = 0; //!< that could not be improved
-    std::size_t vertices_delicate =
-        0; //!< where the surface all but touches itself: changed with exact checks only
+    ShortFaces short_faces;             //!< that could not be improved enough
+    std::size_t vertices_held = 0;      //!< in the sweeps, where the surface all but touches itself
     std::size_t self_intersections = 0; //!< pairs of faces that could not be avoided
 };
 
 //! Raises the angles of a closed mesh and keeps its surface: vertices move along the surface towards the
 //! middle of their neighbours and are projected back, edges flip where that raises the smallest angle; then
-//! every face below the goal gets the best of moves, flips, collapses and splits around it. The topology
-//! stays as it is. Where faces would come to cross, the vertices around are held and all is begun anew.
-//! Deterministic. \pre closed, manifold. \throw UsageError where an option is out of its range. Cost: about
-//! 0.1 ms a face. Source of the sweeps: Botsch & Kobbelt 2004, "A remeshing approach to multiresolution
-//! modeling".
-RelaxationResult relax(const TriangleMesh& mesh, const SurfaceProjection& projection,
-                       const RelaxationOptions& options);
+//! every face below the target gets the best of moves, flips, collapses and splits around it. The topology
+//! stays as it is. No face comes to lie farther from the surface than the bound, but for as many as lay
+//! beyond it before, and none of these farther than the farthest near it did. Where faces would come to
+//! cross, what lies around is left to exact checks. Deterministic. \pre closed, manifold. \throw UsageError
+//! where an option is out of its range. Cost: about 0.1 ms a face. Source of the sweeps: Botsch & Kobbelt
+//! 2004, "A remeshing approach to multiresolution modeling".
+RelaxationResult relax(const TriangleMesh& mesh, const BoundingSurface& surface,
+                       const RelaxationOptions& options = {});
 
 } // namespace voroprobe

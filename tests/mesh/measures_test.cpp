@@ -1,3 +1,4 @@
+#include "mesh/circumcircle.h"
 #include "mesh/measures.h"
 
 #include <gtest/gtest.h>
@@ -93,6 +94,20 @@ TEST(Measures, a_face_at_the_bound_is_not_below_it)
     EXPECT_EQ(count_faces_below_angle(tetrahedron(), 45.0), 0U);
     EXPECT_EQ(count_faces_below_angle(tetrahedron(), 45.1), 3U);
     EXPECT_EQ(count_faces_below_angle(tetrahedron(), 60.1), 4U);
+}
+
+TEST(Circumcircle, is_as_far_from_all_corners_and_in_their_plane)
+{
+    const Point3 a{1, 2, 3};
+    const Point3 b{4, 2.5, -1};
+    const Point3 c{0, 7, 2};
+    const auto circle = circumcircle(a, b, c);
+    ASSERT_TRUE(circle);
+    for (const Point3& corner : {a, b, c})
+        EXPECT_NEAR(distance(circle->center, corner), circle->radius, 1e-12);
+    EXPECT_NEAR(dot(circle->center - a, circle->normal), 0.0, 1e-12);
+    EXPECT_GT(dot(cross(b - a, c - a), circle->normal), 0.0);
+    EXPECT_FALSE(circumcircle(a, a + Vec3{1, 1, 1}, a + Vec3{2, 2, 2}));
 }
 
 } // namespace

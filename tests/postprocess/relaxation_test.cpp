@@ -33,8 +33,8 @@ TriangleMesh shaken_sphere()
 
 RelaxationResult relaxed(const TriangleMesh& mesh, double max_distance)
 {
-    return relax(mesh, projection_onto(std::make_shared<const MeshDistance>(mesh)),
-                 {.max_distance = max_distance});
+    const auto surface = std::make_shared<const MeshDistance>(mesh);
+    return relax(mesh, {projection_onto(surface), face_distance_to(surface), max_distance});
 }
 
 TEST(Relaxation, raises_every_angle_of_a_shaken_sphere_above_33_degrees)
@@ -84,6 +84,44 @@ TEST(Relaxation, the_smallest_meshes_survive)
         EXPECT_TRUE(is_closed_manifold(result.mesh));
         EXPECT_EQ(euler_characteristic(result.mesh), 2);
         EXPECT_GT(enclosed_volume(result.mesh), 0.0);
+    }
+}
+
+//! Vertices of a shaken sphere on an ellipsoid, whose tips bend far more than its waist.
+TriangleMesh shaken_ellipsoid()
+{
+    TriangleMesh mesh = shaken_sphere();
+    transform(mesh, {{{Vec3{3, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}}, {}});
+    return mesh;
+}
+
+std::size_t count_beyond(const TriangleMesh& mesh, const FaceDistance& distance, double bound)
+{
+    return static_cast<std::size_t>(std::count_if(
+        mesh.faces.begin(), mesh.faces.end(),
+        [&](const TriangleMesh::Face& face)
+        { return distance(mesh.corner(face, 0), mesh.corner(face, 1), mesh.corner(face, 2)) > bound; }));
+}
+
+TEST(Relaxation, no_more_faces_lie_beyond_the_bound_than_did)
+{
+    const auto reference = std::make_shared<const MeshDistance>(
+        []
+        {
+            TriangleMesh fine = icosphere(6, 10.0);
+            transform(fine, {{{Vec3{3, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}}, {}});
+            return fine;
+        }());
+    const FaceDistance distance = face_distance_to(reference);
+    const TriangleMesh before = shaken_ellipsoid();
+    for (const double bound : {0.05, 0.5})
+    {
+        const RelaxationResult result = relax(before, {projection_onto(reference), distance, bound});
+        EXPECT_TRUE(is_closed_manifold(result.mesh));
+        EXPECT_LE(count_beyond(result.mesh, distance, bound), count_beyond(before, distance, bound));
+        EXPECT_GE(measure_angles(result.mesh).min_deg, measure_angles(before).min_deg);
+        EXPECT_TRUE(self_intersections(result.mesh).empty());
+        EXPECT_EQ(result.short_faces.all(), count_faces_below_angle(result.mesh, 33.0));
     }
 }
 

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "postprocess/face_distance.h"
+#include "postprocess/surface_projection.h"
+
+namespace voroprobe
+{
+
+//! The surface that a mesh is to keep to, and how nearly.
+struct BoundingSurface
+{
+    SurfaceProjection projection;
+    FaceDistance distance;
+
+    //! Of the faces, scan units, > 0.
+    double max_distance;
+};
+
+} // namespace voroprobe

@@ -1,0 +1,99 @@
+#include "postprocess/patch_guard.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "certificate/self_intersections.h"
+#include "postprocess/face_shape.h"
+
+namespace voroprobe
+{
+
+namespace
+{
+
+using Face = TriangleMesh::Face;
+
+//! Faces stay within 75 degrees of the surface's own direction.
+constexpr double kCosLargestTilt = 0.26;
+
+//! The same at creases.
+constexpr double kCosLargestTiltAtCreases = -0.2;
+
+//! A few faces with vertices of their own.
+struct LocalMesh
+{
+    TriangleMesh mesh;
+    std::map<std::uint32_t, std::uint32_t> index;
+
+    void add(const Face& face, const FacePatch& patch)
+    {
+        Face renamed = face;
+        for (std::uint32_t& v : renamed)
+        {
+            const auto [entry, is_new] =
+                index.try_emplace(v, static_cast<std::uint32_t>(mesh.vertices.size()));
+            if (is_new)
+                mesh.vertices.push_back(patch.point(v));
+            v = entry->second;
+        }
+        mesh.faces.push_back(renamed);
+    }
+};
+
+} // namespace
+
+PatchFit PatchGuard::fit(const FacePatch& patch) const
+{
+    PatchFit fit;
+    for (const Face& face : patch.faces())
+    {
+        const Point3 a = patch.point(face[0]);
+        const Point3 b = patch.point(face[1]);
+        const Point3 c = patch.point(face[2]);
+        const Point3 middle = (a + b + c) / 3.0;
+        const double face_distance = surface_.distance(a, b, c);
+        fit.beyond += face_distance > surface_.max_distance ? 1 : 0;
+        fit.face_distance = std::max(fit.face_distance, face_distance);
+        const auto near = surface_.projection(middle);
+        fit.middle_distance = std::max(fit.middle_distance, near ? distance(middle, near->point)
+                                                                 : std::numeric_limits<double>::infinity());
+        fit.tilt = std::min(fit.tilt, near ? dot(unit_normal(a, b, c), near->normal) : -1.0);
+    }
+    return fit;
+}
+
+bool PatchGuard::keeps_to_surface(const PatchFit& after, const PatchFit& before) const
+{
+    return after.beyond <= before.beyond &&
+           after.face_distance <= std::max(surface_.max_distance, before.face_distance) &&
+           after.middle_distance <= std::max(surface_.max_distance, before.middle_distance) &&
+           (after.tilt >= kCosLargestTilt || after.tilt >= std::min(kCosLargestTiltAtCreases, before.tilt));
+}
+
+bool PatchGuard::is_sound(const FacePatch& after, const PatchFit& before) const
+{
+    return keeps_to_surface(fit(after), before) && crosses_nothing(after);
+}
+
+bool PatchGuard::crosses_nothing(const FacePatch& patch) const
+{
+    LocalMesh local;
+    Box3 box;
+    for (const Face& face : patch.faces())
+    {
+        local.add(face, patch);
+        for (const std::uint32_t v : face)
+            box.include(patch.point(v));
+    }
+    const std::size_t of_patch = local.mesh.faces.size();
+    for (const std::uint32_t f : grid_.faces_near(box))
+        if (!patch.replaces(f))
+            local.add(mesh_.face(f), patch);
+    const std::vector<FacePair> pairs = self_intersections(local.mesh);
+    return std::none_of(pairs.begin(), pairs.end(),
+                        [of_patch](const FacePair& pair) { return pair.first < of_patch; });
+}
+
+} // namespace voroprobe

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+
+#include "postprocess/bounding_surface.h"
+#include "postprocess/face_grid.h"
+#include "postprocess/face_patch.h"
+
+namespace voroprobe
+{
+
+//! How well the faces of a patch fit the surface.
+struct PatchFit
+{
+    std::size_t beyond = 0;     //!< faces farther from the surface than the bound
+    double face_distance = 0.0; //!< the largest of the faces, scan units
+    double middle_distance = 0.0;
+    double tilt = 1.0; //!< least cosine between a face's way out and the surface's
+};
+
+//! Tells whether a patch may take the place of the faces it stands for. Exact about what crosses.
+class PatchGuard
+{
+public:
+    //! Both must outlive the guard. `cell_size` as for FaceGrid.
+    PatchGuard(const EditableMesh& mesh, const BoundingSurface& surface, double cell_size)
+        : surface_(surface), mesh_(mesh), grid_(mesh, cell_size)
+    {
+    }
+
+    [[nodiscard]] PatchFit fit(const FacePatch& patch) const;
+
+    //! No more faces lie beyond the bound than did, none farther than the farthest did, none looks against
+    //! the surface, and none crosses another face. Where the surface has creases as fine as the mesh, which
+    //! have no direction of their own, faces may look along it. Cost: about 0.2 ms.
+    [[nodiscard]] bool is_sound(const FacePatch& after, const PatchFit& before) const;
+
+    [[nodiscard]] bool crosses_nothing(const FacePatch& patch) const;
+
+    //! To be called after each change of the mesh.
+    void update() { grid_.update(); }
+
+private:
+    [[nodiscard]] bool keeps_to_surface(const PatchFit& after, const PatchFit& before) const;
+
+    const BoundingSurface& surface_;
+    const EditableMesh& mesh_;
+    FaceGrid grid_;
+};
+
+} // namespace voroprobe
