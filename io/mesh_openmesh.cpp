@@ -24,12 +24,16 @@ constexpr std::streamsize kDigits = 17;
 
 constexpr std::size_t kStlHeaderBytes = 80;
 
+const std::vector<Vec3> kNoNormals;
+
 //! Lets OpenMesh's writers read our mesh in place. Filling one of OpenMesh's own meshes instead would cost
 //! about 100 bytes a face, and leave out, without failing, every face that its half-edges cannot represent.
 class MeshExporter final : public om::IO::BaseExporter
 {
 public:
-    explicit MeshExporter(const TriangleMesh& mesh) : mesh_(mesh) {}
+    MeshExporter(const TriangleMesh& mesh, const std::vector<Vec3>& normals) : mesh_(mesh), normals_(normals)
+    {
+    }
 
     om::Vec3f point(om::VertexHandle v) const override
     {
@@ -55,10 +59,18 @@ public:
     bool is_triangle_mesh() const override { return true; }
     const om::BaseKernel* kernel() override { return &no_properties_; }
 
+    bool has_vertex_normals() const override { return !normals_.empty(); }
+    om::Vec3d normald(om::VertexHandle v) const override
+    {
+        if (normals_.empty()) // asked all the same, for OBJ
+            return {};
+        const Vec3& n = normals_[static_cast<std::size_t>(v.idx())];
+        return {n.x, n.y, n.z};
+    }
+    om::Vec3f normal(om::VertexHandle v) const override { return om::Vec3f(normald(v)); }
+
     // The mesh has nothing else; the has_...() of the base class say so, and no writer asks for the
     // following.
-    om::Vec3f normal(om::VertexHandle) const override { return {}; }
-    om::Vec3d normald(om::VertexHandle) const override { return {}; }
     bool is_normal_double() const override { return false; }
     om::Vec3uc color(om::VertexHandle) const override { return om::Vec3uc(0, 0, 0); }
     om::Vec4uc colorA(om::VertexHandle) const override { return om::Vec4uc(0, 0, 0, 0); }
@@ -99,6 +111,7 @@ public:
 
 private:
     const TriangleMesh& mesh_;
+    const std::vector<Vec3>& normals_; //!< one for each vertex, or none
     om::BaseKernel no_properties_;
 };
 
@@ -194,28 +207,29 @@ std::string solid_name(const std::vector<std::string>& comments)
     return name.substr(0, kStlHeaderBytes);
 }
 
-void run_openmesh(const TriangleMesh& mesh, std::ostream& out, const std::string& extension,
-                  const om::IO::Options& options)
+void run_openmesh(MeshExporter exporter, std::ostream& out, const std::string& extension,
+                  om::IO::Options options)
 {
     const OpenMeshSilence silence;
-    MeshExporter exporter(mesh);
+    if (exporter.has_vertex_normals())
+        options += om::IO::Options::VertexNormal;
     out.imbue(std::locale::classic());
     if (!om::IO::IOManager().write(out, extension, exporter, options, kDigits))
         throw OutputError("OpenMesh cannot write '" + extension + "'");
 }
 
-void run_openmesh_inserting(InsertingBuffer& buffer, const TriangleMesh& mesh, std::ostream& out,
+void run_openmesh_inserting(InsertingBuffer& buffer, const MeshExporter& exporter, std::ostream& out,
                             const std::string& extension, const om::IO::Options& options)
 {
     std::ostream inserting(&buffer);
     inserting.exceptions(out.exceptions());
-    run_openmesh(mesh, inserting, extension, options);
+    run_openmesh(exporter, inserting, extension, options);
 }
 
 void write_stl_binary(const TriangleMesh& mesh, std::ostream& out, const std::vector<std::string>& comments)
 {
     const auto begin = out.tellp();
-    run_openmesh(mesh, out, ".stlb", om::IO::Options::Binary);
+    run_openmesh({mesh, kNoNormals}, out, ".stlb", om::IO::Options::Binary);
 
     // OpenMesh's own header says "binary stl file".
     std::string header = solid_name(comments);
@@ -227,8 +241,8 @@ void write_stl_binary(const TriangleMesh& mesh, std::ostream& out, const std::ve
 
 } // namespace
 
-void write_with_openmesh(const TriangleMesh& mesh, std::ostream& out, MeshFormat format,
-                         const std::vector<std::string>& comments)
+void write_with_openmesh(const TriangleMesh& mesh, const std::vector<Vec3>& normals, std::ostream& out,
+                         MeshFormat format, const std::vector<std::string>& comments)
 {
     switch (format)
     {
@@ -237,19 +251,19 @@ void write_with_openmesh(const TriangleMesh& mesh, std::ostream& out, MeshFormat
     case MeshFormat::kStlAscii:
     {
         InsertingBuffer named(*out.rdbuf(), ' ', 1, solid_name(comments)); // "solid NAME"
-        return run_openmesh_inserting(named, mesh, out, ".stla", om::IO::Options::Default);
+        return run_openmesh_inserting(named, {mesh, kNoNormals}, out, ".stla", om::IO::Options::Default);
     }
     case MeshFormat::kPly:
     {
         InsertingBuffer commented(*out.rdbuf(), '\n', 2,
                                   lines_with_prefix("comment ", comments)); // ply, format
-        return run_openmesh_inserting(commented, mesh, out, ".ply", om::IO::Options::Binary);
+        return run_openmesh_inserting(commented, {mesh, normals}, out, ".ply", om::IO::Options::Binary);
     }
     case MeshFormat::kObj:
         out << lines_with_prefix("# ", comments);
-        return run_openmesh(mesh, out, ".obj", om::IO::Options::Default);
+        return run_openmesh({mesh, normals}, out, ".obj", om::IO::Options::Default);
     case MeshFormat::kOff: // many readers of OFF, OpenMesh's among them, know no comments
-        return run_openmesh(mesh, out, ".off", om::IO::Options::Default);
+        return run_openmesh({mesh, kNoNormals}, out, ".off", om::IO::Options::Default);
     case MeshFormat::kVtp:
     case MeshFormat::k3mf:
         break;

@@ -11,6 +11,7 @@
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSTLReader.h>
@@ -31,21 +32,18 @@ namespace
 
 // ---- Writing ----
 
-//! The vertices as VTK sees them: the same memory, not a copy. VTK's array could write to it, and its writer
-//! does not.
-vtkSmartPointer<vtkPoints> points_over(const std::vector<Point3>& vertices)
+//! Vectors as VTK sees them: the same memory, not a copy. VTK's array could write to it, and its writer does
+//! not.
+vtkSmartPointer<vtkDoubleArray> array_over(const std::vector<Vec3>& vectors)
 {
     static_assert(sizeof(Point3) == 3 * sizeof(double));
     constexpr int kVtkDoesNotFreeIt = 1;
-    const auto count = static_cast<vtkIdType>(vertices.size());
-    auto* values = const_cast<double*>(reinterpret_cast<const double*>(vertices.data()));
-    const vtkNew<vtkDoubleArray> coordinates;
-    coordinates->SetNumberOfComponents(3);
-    coordinates->SetArray(values, 3 * count, kVtkDoesNotFreeIt);
-
-    auto points = vtkSmartPointer<vtkPoints>::New();
-    points->SetData(coordinates);
-    return points;
+    const auto count = static_cast<vtkIdType>(vectors.size());
+    auto* values = const_cast<double*>(reinterpret_cast<const double*>(vectors.data()));
+    auto array = vtkSmartPointer<vtkDoubleArray>::New();
+    array->SetNumberOfComponents(3);
+    array->SetArray(values, 3 * count, kVtkDoesNotFreeIt);
+    return array;
 }
 
 vtkSmartPointer<vtkCellArray> triangles_of(const std::vector<TriangleMesh::Face>& faces)
@@ -168,11 +166,20 @@ std::optional<std::uint32_t> announced_faces(const std::filesystem::path& path)
 
 } // namespace
 
-void write_vtp(const TriangleMesh& mesh, std::ostream& out, const std::vector<std::string>& comments)
+void write_vtp(const TriangleMesh& mesh, const std::vector<Vec3>& normals, std::ostream& out,
+               const std::vector<std::string>& comments)
 {
     vtkNew<vtkPolyData> data;
-    data->SetPoints(points_over(mesh.vertices));
+    vtkNew<vtkPoints> points;
+    points->SetData(array_over(mesh.vertices));
+    data->SetPoints(points);
     data->SetPolys(triangles_of(mesh.faces));
+    if (!normals.empty())
+    {
+        const auto array = array_over(normals);
+        array->SetName("Normals");
+        data->GetPointData()->SetNormals(array);
+    }
     if (!comments.empty())
         data->GetFieldData()->AddArray(string_array(comments));
 

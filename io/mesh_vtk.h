@@ -11,9 +11,10 @@ namespace voroprobe
 {
 
 //! Writes VTK's XML poly data: 64-bit coordinates, compressed, comments as a string array of the field data
-//! named "comments". Holds the whole file in memory, about 20 bytes a face. \throw OutputError with VTK's
-//! reason; whatever the stream throws.
-void write_vtp(const TriangleMesh& mesh, std::ostream& out, const std::vector<std::string>& comments);
+//! named "comments". `normals`: of the vertices; empty: none are written. Holds the whole file in memory,
+//! about 20 bytes a face. \throw OutputError with VTK's reason; whatever the stream throws.
+void write_vtp(const TriangleMesh& mesh, const std::vector<Vec3>& normals, std::ostream& out,
+               const std::vector<std::string>& comments);
 
 //! Reads STL, binary or text, as a soup: three vertices of its own for every face. \throw InputError with
 //! VTK's reason.

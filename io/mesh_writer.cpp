@@ -12,6 +12,7 @@
 #include "io/mesh_3mf.h"
 #include "io/mesh_openmesh.h"
 #include "io/mesh_vtk.h"
+#include "mesh/vertex_normals.h"
 #include "support/error.h"
 
 namespace voroprobe
@@ -82,15 +83,17 @@ void check_mesh(const TriangleMesh& mesh, const fs::path& path)
 
 //! Rounds the mesh where the format asks for it and writes it.
 WriteReport write_to_stream(const TriangleMesh& mesh, std::ostream& out, MeshFormat format,
-                            const std::vector<std::string>& comments)
+                            const std::vector<std::string>& comments, VertexNormals wanted)
 {
+    const std::vector<Vec3> normals =
+        wanted == VertexNormals::kWritten ? vertex_normals(mesh) : std::vector<Vec3>{};
     if (format == MeshFormat::kVtp)
     {
-        write_vtp(mesh, out, comments);
+        write_vtp(mesh, normals, out, comments);
         return {};
     }
     const FloatRounding rounding = round_to_float(mesh);
-    write_with_openmesh(rounding.mesh, out, format, comments);
+    write_with_openmesh(rounding.mesh, normals, out, format, comments);
     return {.vertices_nudged = rounding.vertices_nudged};
 }
 
@@ -112,20 +115,29 @@ MeshFormat mesh_format(const fs::path& path, const std::optional<std::string>& n
                      list_of(&NamedFormat::name));
 }
 
+bool holds_normals(MeshFormat format)
+{
+    return format == MeshFormat::kPly || format == MeshFormat::kObj || format == MeshFormat::kVtp;
+}
+
 void check_writable(const fs::path& path)
 {
     const AtomicFile trial(path); // leaves again without a trace
 }
 
 WriteReport write_mesh(const TriangleMesh& mesh, const fs::path& path, MeshFormat format,
-                       const std::vector<std::string>& comments, const std::function<void()>& last_look)
+                       const std::vector<std::string>& comments, const std::function<void()>& last_look,
+                       VertexNormals normals)
 {
+    if (normals == VertexNormals::kWritten && !holds_normals(format))
+        throw UsageError("'" + path.string() + "' has no room for normals; allowed: .ply, .obj, .vtp");
     if (format == MeshFormat::k3mf)
         return write_parts(std::vector<MeshPart>{{.name = "", .mesh = mesh}}, path, comments, last_look);
     check_mesh(mesh, path);
     WriteReport report;
     write_atomically(path, last_look,
-                     [&](std::ostream& out) { report = write_to_stream(mesh, out, format, comments); });
+                     [&](std::ostream& out)
+                     { report = write_to_stream(mesh, out, format, comments, normals); });
     return report;
 }
 

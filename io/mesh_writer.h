@@ -31,6 +31,16 @@ enum class MeshFormat
 MeshFormat mesh_format(const std::filesystem::path& path,
                        const std::optional<std::string>& name = std::nullopt);
 
+//! Whether a file is to have the normals of vertices, see mesh/vertex_normals.h.
+enum class VertexNormals
+{
+    kLeftOut,
+    kWritten //!< 32-bit floats, VTP 64 bits
+};
+
+//! Whether a format has room for them: PLY, OBJ and VTP do.
+bool holds_normals(MeshFormat format);
+
 //! Tells before any work is done whether `path` could be written: its folder exists and takes a file of ours.
 //! \throw OutputError with the reason.
 void check_writable(const std::filesystem::path& path);
@@ -46,10 +56,12 @@ struct WriteReport
 //! where the format has room for them. Not for several threads at once: OpenMesh and VTK are silenced by
 //! process-wide switches. \pre the mesh is closed and manifold where the reader is meant to find it so.
 //! `last_look` is called when the file is whole and only the renaming is left; whatever it throws leaves the
-//! target as it was. \throw OutputError with the reason.
+//! target as it was. \throw OutputError with the reason; UsageError where the format does not hold the
+//! normals that are asked for.
 WriteReport write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path, MeshFormat format,
                        const std::vector<std::string>& comments = {},
-                       const std::function<void()>& last_look = {});
+                       const std::function<void()>& last_look = {},
+                       VertexNormals normals = VertexNormals::kLeftOut);
 
 //! The same for several objects beside one another, with names and colours, as 3MF: each is rounded for
 //! itself, so that vertices which parts share stay where they are in both, but for those that are nudged.

@@ -142,6 +142,7 @@ void check_label_arguments(const MeshArguments& arguments)
     refuse_with_labels(arguments.isovalue.has_value(), "--isovalue");
     refuse_with_labels(arguments.inside.has_value(), "--inside");
     refuse_with_labels(arguments.border == BorderFaces::kOpen, "--border open");
+    refuse_with_labels(arguments.normals, "--normals");
     refuse_with_labels(arguments.max_vertices.has_value(), "--max-vertices");
     refuse_with_labels(!arguments.selection.keeps_all(),
                        "leaving out surfaces by --min-component-volume, --keep-largest or --drop-cavities");

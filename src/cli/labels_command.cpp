@@ -51,6 +51,25 @@ LabelMeshingOptions options_of(const MeshArguments& arguments, const LabelMap& m
     return options;
 }
 
+//! The labels asked for that are in a layer, by their places.
+std::vector<std::uint32_t> places_in_layer(const LabelsRun& run, std::size_t layer)
+{
+    std::vector<std::uint32_t> places;
+    for (const LabelOutcome& label : run.labels)
+        if (label.layer == layer)
+            places.push_back(label.mesh.label);
+    return places;
+}
+
+//! \throw UsageError where a label would take more vertices than memory holds.
+void check_sizes(const LabelsRun& run)
+{
+    const Vec3& side = run.map.spacing;
+    for (std::size_t layer = 0; layer < run.map.layers.size(); ++layer)
+        check_size(run.options.criteria, run.map.layers[layer], places_in_layer(run, layer),
+                   side.x * side.y * side.z, run.threads);
+}
+
 //! Meshes all labels, layer by layer, and hands each over to the output when it is done.
 void mesh_and_write(LabelsRun& run, LabelOutput& output, ProgressSink& progress)
 {
@@ -58,14 +77,11 @@ void mesh_and_write(LabelsRun& run, LabelOutput& output, ProgressSink& progress)
     const AffineTransform to_output = output_from_grid(run.arguments.frame, run.map.placement);
     for (std::size_t layer = 0; layer < run.map.layers.size(); ++layer)
     {
-        std::vector<std::uint32_t> places;
+        const std::vector<std::uint32_t> places = places_in_layer(run, layer);
         std::map<std::uint32_t, LabelOutcome*> outcome_at;
         for (LabelOutcome& label : run.labels)
             if (label.layer == layer)
-            {
-                places.push_back(label.mesh.label);
                 outcome_at.emplace(label.mesh.label, &label);
-            }
         const auto take = [&](LabelMesh mesh)
         {
             LabelOutcome& label = *outcome_at.at(mesh.label);
@@ -108,6 +124,7 @@ void run_labels_command(const MeshArguments& arguments)
                   .threads = threads,
                   .labels = std::move(labels),
                   .timings = {}};
+    check_sizes(run);
     LabelOutput output(arguments, format, run.labels);
     output.prepare();
     run.timings.read = clock.seconds();

@@ -87,6 +87,8 @@ void add_output_options(CLI::App& command, MeshArguments& arguments)
                  Words<OutputFrame>{
                      {"lps", OutputFrame::kLps}, {"ras", OutputFrame::kRas}, {"index", OutputFrame::kIndex}},
                  "Coordinates: lps or ras in mm, or voxels of the file (default lps)");
+    command.add_flag("--normals", arguments.normals, "Write a normal for each vertex (.ply, .obj, .vtp)")
+        ->group("Output");
     group.text("--summary", "FILE.json", "Write what was done and found as JSON",
                [&arguments](const std::string& given) { arguments.summary = given; });
 }

@@ -57,6 +57,7 @@ struct MeshArguments
 
     OutputFrame frame = OutputFrame::kLps;
     std::optional<std::string> format = std::nullopt; //!< unset: by the extension of `output`
+    bool normals = false;                             //!< of the vertices, into the file
     std::optional<std::filesystem::path> summary = std::nullopt;
 
     std::size_t seed = 0; //!< of the rays of Seeding::kRandom; nothing else is random

@@ -1,5 +1,6 @@
 #include "cli/mesh_budget.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -19,18 +20,25 @@ constexpr std::size_t kBytesPerVertex = 2600;
 // Smaller parts may enclose much less than their samples' voxels.
 constexpr std::size_t kFewSamples = 64;
 
-//! At least the area of all surfaces, scan units squared. Source: the isoperimetric inequality.
-double least_area(const Inventory& inventory, double voxel_volume)
+//! At least the area around so many samples, scan units squared. Source: the isoperimetric inequality.
+double least_area(std::size_t samples, double voxel_volume)
 {
-    double area = 0.0;
-    for (const ScanSurface& surface : inventory.surfaces())
-    {
-        if (surface.enclosed_samples < kFewSamples)
-            continue;
-        const double volume = static_cast<double>(surface.enclosed_samples) * voxel_volume;
-        area += std::cbrt(36.0 * std::numbers::pi * volume * volume);
-    }
-    return area;
+    const double volume = static_cast<double>(samples) * voxel_volume;
+    return samples < kFewSamples ? 0.0 : std::cbrt(36.0 * std::numbers::pi * volume * volume);
+}
+
+void check_size(double size, double area, std::size_t most_vertices)
+{
+    const double largest_face = 0.75 * std::numbers::sqrt3; // in squared radii
+    const double area_of_a_vertex = 2.0 * largest_face;     // a closed mesh has two faces for each
+    const double least_vertices = area / (area_of_a_vertex * size * size);
+    if (least_vertices <= static_cast<double>(most_vertices))
+        return;
+    throw UsageError("--size is " + number_text(size) + "; it takes over " + number_text(least_vertices) +
+                     " vertices, and this machine's memory holds about " + count_text(most_vertices) +
+                     "; allowed here: at least " +
+                     number_text(std::sqrt(area / (area_of_a_vertex * static_cast<double>(most_vertices)))) +
+                     " mm");
 }
 
 } // namespace
@@ -43,18 +51,24 @@ std::size_t vertices_in_memory()
 
 void check_size(const MeshingOptions& options, const Inventory& inventory, double voxel_volume)
 {
-    const double largest_face = 0.75 * std::numbers::sqrt3; // in squared radii
-    const double area_of_a_vertex = 2.0 * largest_face;     // a closed mesh has two faces for each
-    const double area = least_area(inventory, voxel_volume);
-    const double size = options.max_facet_radius;
-    const double least_vertices = area / (area_of_a_vertex * size * size);
-    const auto most_vertices = static_cast<double>(vertices_in_memory());
-    if (least_vertices <= most_vertices)
-        return;
-    throw UsageError("--size is " + number_text(size) + "; it takes over " + number_text(least_vertices) +
-                     " vertices, and this machine's memory holds about " + count_text(vertices_in_memory()) +
-                     "; allowed here: at least " +
-                     number_text(std::sqrt(area / (area_of_a_vertex * most_vertices))) + " mm");
+    double area = 0.0;
+    for (const ScanSurface& surface : inventory.surfaces())
+        area += least_area(surface.enclosed_samples, voxel_volume);
+    check_size(options.max_facet_radius, area, vertices_in_memory());
+}
+
+void check_size(const MeshingOptions& options, const LabelSurvey& survey,
+                std::span<const std::uint32_t> labels, double voxel_volume, std::size_t threads)
+{
+    double largest = 0.0;
+    for (const std::uint32_t label : labels)
+    {
+        double area = 0.0;
+        for (const std::uint32_t part : survey.labels()[label].parts)
+            area += least_area(survey.parts()[part].voxels, voxel_volume);
+        largest = std::max(largest, area);
+    }
+    check_size(options.max_facet_radius, largest, std::max<std::size_t>(1, vertices_in_memory() / threads));
 }
 
 } // namespace voroprobe

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 
+#include "labels/label_survey.h"
 #include "mesher/meshing_options.h"
 #include "volume/inventory.h"
 
@@ -16,5 +19,10 @@ std::size_t vertices_in_memory();
 //! sphere around what it encloses. `voxel_volume`: cubed scan units. \throw UsageError which says what would
 //! do.
 void check_size(const MeshingOptions& options, const Inventory& inventory, double voxel_volume);
+
+//! The same for labels, of which as many are in memory at once as there are threads. `labels`: places in
+//! survey.labels().
+void check_size(const MeshingOptions& options, const LabelSurvey& survey,
+                std::span<const std::uint32_t> labels, double voxel_volume, std::size_t threads);
 
 } // namespace voroprobe

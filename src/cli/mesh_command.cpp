@@ -11,6 +11,7 @@
 #include "cli/mesh_certificate.h"
 #include "cli/mesh_report.h"
 #include "cli/mesh_run.h"
+#include "cli/normals_argument.h"
 #include "cli/number_text.h"
 #include "cli/shape_input.h"
 #include "cli/summary.h"
@@ -79,6 +80,7 @@ MeshFormat check_outputs(const MeshArguments& arguments)
     if (arguments.output.empty())
         throw UsageError("--output is required (see voroprobe mesh --help)");
     const MeshFormat format = mesh_format(arguments.output, arguments.format);
+    normals_argument(arguments.normals, format);
     if (!arguments.formula)
         check_distinct(arguments.output, "OUTPUT", arguments.input, "INPUT");
     if (format == MeshFormat::k3mf && arguments.frame == OutputFrame::kIndex)
@@ -196,7 +198,8 @@ void check_and_write(TriangleMesh& mesh, MeshFormat format, MeshRun& run, Progre
     place(parts, run.arguments.finish.placement);
     mesh = std::move(parts.front().mesh);
     run.output_box = bounding_box(mesh);
-    write_mesh(mesh, run.arguments.output, format, comments_for(run), pass_point_of_no_return);
+    write_mesh(mesh, run.arguments.output, format, comments_for(run), pass_point_of_no_return,
+               normals_argument(run.arguments.normals, format));
     run.timings.write = clock.seconds();
 }
 

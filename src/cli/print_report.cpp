@@ -58,6 +58,14 @@ Json json_of(const std::optional<Narrowest>& found)
     return found ? Json{{"mm", found->length}, {"at", json_of(found->at)}} : Json(nullptr);
 }
 
+Json json_of(const std::optional<WallThickness>& walls)
+{
+    return walls ? Json{{"percent_1_mm", walls->percent_1},
+                        {"percent_5_mm", walls->percent_5},
+                        {"median_mm", walls->median}}
+                 : Json(nullptr);
+}
+
 template <typename Value>
 Json value_or_null(const std::optional<Value>& value)
 {
@@ -78,6 +86,11 @@ std::string print_lines(const PrintCheck& check, const PrintOptions& options)
         cavity_lines(check.cavities) +
         info_line("walls", "thinnest " + length_text(check.thinnest_wall) +
                                " (rays along the inward normal, opposite faces within 60 deg)");
+    if (const auto& walls = check.wall_thickness)
+        text +=
+            info_line("", "1 % of their surface is on walls thinner than " + number_text(walls->percent_1) +
+                              " mm, 5 % thinner than " + number_text(walls->percent_5) +
+                              " mm, half thinner than " + number_text(walls->median) + " mm");
     if (options.min_wall)
         text +=
             info_line("", percent_text(check.thin_area_share) + " of the surface is on walls thinner than " +
@@ -102,6 +115,7 @@ Json print_json(const PrintCheck& check, const PrintOptions& options)
             {"smallest_body_mm", json_of(check.smallest_body)},
             {"trapped_cavities", std::move(cavities)},
             {"thinnest_wall", json_of(check.thinnest_wall)},
+            {"wall_thickness", json_of(check.wall_thickness)},
             {"wall_method", "rays along the inward normal to opposite faces within 60 degrees"},
             {"min_wall_mm", value_or_null(options.min_wall)},
             {"thin_area_share", options.min_wall ? Json(check.thin_area_share) : Json(nullptr)},

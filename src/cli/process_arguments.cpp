@@ -197,6 +197,8 @@ void add_process_arguments(CLI::App& command, ProcessArguments& arguments)
                 [&arguments](const std::string& given) { arguments.output = given; });
     output.text("--format", "NAME", "stl, stl-ascii, ply, obj, off, vtp or 3mf (default: by the extension)",
                 [&arguments](const std::string& given) { arguments.format = given; });
+    command.add_flag("--normals", arguments.normals, "Write a normal for each vertex (.ply, .obj, .vtp)")
+        ->group("Output");
     output.text("--summary", "FILE.json", "Write the steps and what they did as JSON",
                 [&arguments](const std::string& given) { arguments.summary = given; });
     command.add_flag("-q,--quiet", arguments.quiet, "No report on stdout; warnings stay")->group("Output");

@@ -67,6 +67,7 @@ struct ProcessArguments
     std::filesystem::path mesh;
     std::filesystem::path output;
     std::optional<std::string> format = std::nullopt;
+    bool normals = false; //!< of the vertices, into the file
     std::optional<std::filesystem::path> summary = std::nullopt;
     bool quiet = false;
 

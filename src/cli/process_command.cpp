@@ -8,6 +8,7 @@
 #include "certificate/mesh_check.h"
 #include "cli/info_text.h"
 #include "cli/interrupt.h"
+#include "cli/normals_argument.h"
 #include "cli/number_text.h"
 #include "cli/process_steps.h"
 #include "cli/process_summary.h"
@@ -51,6 +52,7 @@ MeshFormat check_outputs(const ProcessArguments& arguments)
     if (arguments.output.empty())
         throw UsageError("--output is required (see voroprobe process --help)");
     const MeshFormat format = mesh_format(arguments.output, arguments.format);
+    normals_argument(arguments.normals, format);
     if (arguments.split && !writes_many(arguments) && format != MeshFormat::k3mf)
         throw UsageError(
             "--split goes with a .3mf, which holds an object for every body, or with {n} in the name of "
@@ -96,12 +98,14 @@ std::vector<fs::path> write(const std::vector<MeshPart>& parts, const ProcessArg
         for (std::size_t i = 0; i < parts.size(); ++i)
         {
             written.push_back(numbered(arguments.output, i + 1));
-            write_mesh(parts[i].mesh, written.back(), format, comments(), pass_point_of_no_return);
+            write_mesh(parts[i].mesh, written.back(), format, comments(), pass_point_of_no_return,
+                       normals_argument(arguments.normals, format));
         }
     else if (format == MeshFormat::k3mf)
         write_parts(parts, arguments.output, comments(), pass_point_of_no_return);
     else
-        write_mesh(merged(parts), arguments.output, format, comments(), pass_point_of_no_return);
+        write_mesh(merged(parts), arguments.output, format, comments(), pass_point_of_no_return,
+                   normals_argument(arguments.normals, format));
     return written.empty() ? std::vector<fs::path>{arguments.output} : written;
 }
 

@@ -9,8 +9,8 @@
 #include "mesh/measures.h"
 #include "mesh/mesh_part.h"
 #include "mesh/topology.h"
-#include "postprocess/deviation.h"
 #include "postprocess/bounding_surface.h"
+#include "postprocess/deviation.h"
 
 namespace voroprobe
 {

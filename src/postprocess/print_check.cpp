@@ -120,16 +120,25 @@ void keep_smaller(std::optional<Narrowest>& smallest, double length, const Point
         smallest = Narrowest{length, at};
 }
 
+//! `walls`: ascending.
+std::optional<WallThickness> thickness_of(const std::vector<double>& walls)
+{
+    if (walls.empty())
+        return std::nullopt;
+    const auto at = [&walls](double share)
+    { return walls[static_cast<std::size_t>(share * static_cast<double>(walls.size() - 1))]; };
+    return WallThickness{.percent_1 = at(0.01), .percent_5 = at(0.05), .median = at(0.5)};
+}
+
 //! From every sample one ray in, one out.
 void measure_walls(const TriangleMesh& mesh, const PrintOptions& options, PrintCheck& check)
 {
     const MeshRays rays(mesh);
     const double hair = kHair * check.box.diagonal();
-    std::size_t thin = 0;
-    const auto look = [&](const MeshSample& sample)
+    const auto look = [&](const MeshSample& sample) -> std::optional<double>
     {
         if (sample.normal == Vec3{})
-            return false;
+            return std::nullopt;
         const auto facing = [&](const Vec3& way) { return rays.first_hit(sample.point, way, hair); };
         const auto wall = facing(-sample.normal);
         const bool is_wall = wall && dot(wall->normal, sample.normal) < kCosFacing;
@@ -137,7 +146,7 @@ void measure_walls(const TriangleMesh& mesh, const PrintOptions& options, PrintC
             keep_smaller(check.thinnest_wall, wall->distance, sample.point);
         if (const auto gap = facing(sample.normal); gap && dot(gap->normal, sample.normal) < kCosFacing)
             keep_smaller(check.narrowest_gap, gap->distance, sample.point);
-        return is_wall && options.min_wall && wall->distance < *options.min_wall;
+        return is_wall ? std::optional(wall->distance) : std::nullopt;
     };
     for (const TriangleMesh::Face& face : mesh.faces) // a thin part may be a few faces only
         if (mesh.faces.size() <= options.samples)
@@ -145,10 +154,17 @@ void measure_walls(const TriangleMesh& mesh, const PrintOptions& options, PrintC
                   unit_normal(mesh.corner(face, 0), mesh.corner(face, 1), mesh.corner(face, 2))});
     Random random(kSeed);
     const std::vector<MeshSample> samples = area_samples(mesh, options.samples, random);
+    std::vector<double> walls;
     for (const MeshSample& sample : samples)
-        thin += look(sample) ? 1 : 0;
-    check.thin_area_share =
-        samples.empty() ? 0.0 : static_cast<double>(thin) / static_cast<double>(samples.size());
+        if (const auto wall = look(sample))
+            walls.push_back(*wall);
+    std::sort(walls.begin(), walls.end());
+    check.wall_thickness = thickness_of(walls);
+    if (options.min_wall && !samples.empty())
+        check.thin_area_share =
+            static_cast<double>(std::lower_bound(walls.begin(), walls.end(), *options.min_wall) -
+                                walls.begin()) /
+            static_cast<double>(samples.size());
 }
 
 void judge_walls(const PrintOptions& options, PrintCheck& check)

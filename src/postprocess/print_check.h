@@ -27,6 +27,15 @@ struct Narrowest
     Point3 at;
 };
 
+//! Of the surface that is a side of a wall, this much is on walls thinner than so many mm: one noisy place
+//! moves the thinnest wall, and none of these.
+struct WallThickness
+{
+    double percent_1;
+    double percent_5;
+    double median;
+};
+
 //! A closed surface inside of a body: powder and resin stay in.
 struct TrappedCavity
 {
@@ -46,6 +55,7 @@ struct PrintCheck
     //! it, within 60 degrees. Walls that are wedges with a larger angle are not measured. nullopt: no wall
     //! was met.
     std::optional<Narrowest> thinnest_wall = std::nullopt;
+    std::optional<WallThickness> wall_thickness = std::nullopt;
     double thin_area_share = 0.0; //!< of the surface, below min_wall
     std::optional<Narrowest> narrowest_gap =
         std::nullopt; //!< likewise, outward, to the first face that looks back

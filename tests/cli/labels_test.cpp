@@ -108,6 +108,8 @@ TEST_F(LabelsTest, what_cannot_be_meant_is_refused_before_anything_is_written)
     expect_refused({"--labels", "all", "--smooth", "gaussian:0"}, {"gaussian", "'0'"});
     expect_refused({"--labels", "all", "--smooth", "soft"}, {"--smooth", "'soft'", "antialias"});
     expect_refused({"--labels", "all", "--shared-interfaces", "--smooth", "none"}, {"--smooth", "joint"});
+    expect_refused({"--labels", "all", "--size", "1e-6"}, {"--size is 1e-06", "vertices", "at least"});
+    expect_refused({"--labels", "all", "--normals"}, {"--normals", "--labels"});
     expect_refused({"--smooth", "none", "--isovalue", "1"}, {"--smooth", "--labels"});
     expect_refused({"--labels", "all"}, {"3 labels", "{name}"}, "out/mesh.stl");
     program::write_text(folder_ / "names.txt", "1 twin\n2 twin\n");

@@ -151,7 +151,7 @@ TEST_F(ProcessTest, wrong_usage_is_refused_before_anything_is_read)
     const std::vector<std::vector<std::string>> wrong{
         {"--split"},          {"--max-hole", "3"},    {"--decimate", "0%"}, {"--decimate", "3"},
         {"--rotate", "w:10"}, {"--translate", "1,2"}, {"--scale", "0"},     {"--drain", "2"},
-        {"--smooth", "-1"},   {"--unit", "foot"}};
+        {"--smooth", "-1"},   {"--unit", "foot"},     {"--normals"}};
     for (const auto& options : wrong)
     {
         const program::Outcome outcome = process("out.stl", options);
@@ -174,6 +174,14 @@ TEST_F(ProcessTest, a_mesh_can_be_finished_as_it_is_made)
     const TriangleMesh result = read_mesh(folder_ / "relaxed.stl");
     EXPECT_GE(measure_angles(result).min_deg, 33.0);
     EXPECT_NEAR(bounding_box(result).min.z, 0.0, 1e-5);
+}
+
+TEST_F(ProcessTest, normals_are_written_on_request)
+{
+    ASSERT_EQ(process("plain.obj", {}).status, 0);
+    ASSERT_EQ(process("normals.obj", {"--normals"}).status, 0);
+    EXPECT_EQ(program::read_text(folder_ / "plain.obj").find("\nvn "), std::string::npos);
+    EXPECT_NE(program::read_text(folder_ / "normals.obj").find("\nvn "), std::string::npos);
 }
 
 } // namespace

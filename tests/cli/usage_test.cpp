@@ -71,6 +71,7 @@ TEST_F(UsageTest, unknown_words_are_refused_with_the_known_ones)
     expect_wrong_usage(mesh_ball("out.stl", {"--frame-of-reference", "xyz"}), {"lps, ras, index"});
     expect_wrong_usage(mesh_ball("out.stl", {"--format", "docx"}), {"docx", "stl"});
     expect_wrong_usage(mesh_ball("out.docx"), {"docx", "stl"});
+    expect_wrong_usage(mesh_ball("out.stl", {"--normals"}), {"--normals", ".ply, .obj and .vtp"});
 }
 
 TEST_F(UsageTest, options_that_do_not_go_with_the_file_are_refused)

@@ -5,12 +5,14 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include "../mesh/sample_meshes.h"
 #include "io/atomic_file.h"
+#include "io/mesh_reader.h"
 #include "io/mesh_writer.h"
 #include "support/error.h"
 #include "temporary_folder.h"
@@ -52,6 +54,21 @@ std::string message_of(Action action)
 bool contains(const std::string& text, const std::string& part)
 {
     return text.find(part) != std::string::npos;
+}
+
+//! The last three of the numbers in each line that begins with a word.
+std::vector<Vec3> vectors_in_lines(const fs::path& path, const std::string& word)
+{
+    std::vector<Vec3> result;
+    std::ifstream file(path);
+    for (std::string line; std::getline(file, line);)
+        if (line.starts_with(word + ' '))
+        {
+            Vec3 v;
+            std::istringstream(line.substr(word.size())) >> v.x >> v.y >> v.z;
+            result.push_back(v);
+        }
+    return result;
 }
 
 // ---- Formats ----
@@ -122,6 +139,34 @@ TEST(MeshWriter, comments_are_where_ply_obj_and_vtp_have_them)
     EXPECT_TRUE(content_of(path).starts_with("# units: mm\n# two lines\n"));
     write_mesh(tetrahedron(), path, MeshFormat::kVtp, comments);
     EXPECT_TRUE(contains(content_of(path), "Name=\"comments\""));
+}
+
+TEST(MeshWriter, normals_are_written_where_the_format_has_them_and_the_mesh_stays)
+{
+    const TemporaryFolder folder;
+    const TriangleMesh ball = icosphere(2, 10.0);
+    for (const MeshFormat format : kAllFormats)
+    {
+        const fs::path path = folder.path() / "ball.mesh";
+        const auto write = [&] { write_mesh(ball, path, format, {}, {}, VertexNormals::kWritten); };
+        if (!holds_normals(format))
+        {
+            EXPECT_TRUE(contains(message_of<UsageError>(write), "normals"));
+            continue;
+        }
+        write();
+        const fs::path named = folder.path() / (format == MeshFormat::kPly   ? "ball.ply"
+                                                : format == MeshFormat::kObj ? "ball.obj"
+                                                                             : "ball.vtp");
+        fs::rename(path, named);
+        const TriangleMesh read = read_mesh(named);
+        EXPECT_EQ(read.vertices.size(), ball.vertices.size());
+        EXPECT_EQ(read.faces.size(), ball.faces.size());
+    }
+    const std::vector<Vec3> normals = vectors_in_lines(folder.path() / "ball.obj", "vn");
+    ASSERT_EQ(normals.size(), ball.vertices.size());
+    for (std::size_t v = 0; v < normals.size(); ++v) // of a ball: away from its middle
+        EXPECT_LT(norm(normals[v] - normalized(ball.vertices[v])), 0.02);
 }
 
 TEST(MeshWriter, the_same_mesh_gives_the_same_bytes)

@@ -41,6 +41,22 @@ TEST(LabelSurvey, counts_parts_as_a_flood_through_26_neighbours_does)
     }
 }
 
+TEST(LabelSurvey, seventy_thousand_labels_are_each_there)
+{
+    constexpr std::int32_t kLabels = 70000;
+    std::vector<std::int32_t> samples(84 * 84 * 84, 0);
+    std::int32_t label = 0;
+    for (std::size_t k = 0; k < 84; k += 2)
+        for (std::size_t j = 0; j < 84; j += 2)
+            for (std::size_t i = 0; i < 84 && label < kLabels; i += 2)
+                samples[i + 84 * (j + 84 * k)] = ++label;
+    const LabelSurvey survey(labels_of({84, 84, 84}, std::move(samples)));
+    ASSERT_EQ(survey.labels().size(), std::size_t{kLabels});
+    EXPECT_EQ(survey.parts().size(), std::size_t{kLabels});
+    for (std::int32_t i = 0; i < kLabels; ++i)
+        ASSERT_EQ(survey.labels()[static_cast<std::size_t>(i)].value, i + 1);
+}
+
 TEST(LabelSurvey, every_voxel_of_a_label_is_in_the_run_of_one_of_its_parts)
 {
     const std::array<std::size_t, 3> size{11, 9, 13};

@@ -1,5 +1,6 @@
 #include "mesh/circumcircle.h"
 #include "mesh/measures.h"
+#include "mesh/vertex_normals.h"
 
 #include <gtest/gtest.h>
 
@@ -94,6 +95,15 @@ TEST(Measures, a_face_at_the_bound_is_not_below_it)
     EXPECT_EQ(count_faces_below_angle(tetrahedron(), 45.0), 0U);
     EXPECT_EQ(count_faces_below_angle(tetrahedron(), 45.1), 3U);
     EXPECT_EQ(count_faces_below_angle(tetrahedron(), 60.1), 4U);
+}
+
+TEST(VertexNormals, of_a_cube_corner_are_its_diagonal_whatever_the_triangles)
+{
+    const TriangleMesh corner{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {5, 5, 5}},
+                              {{0, 2, 4}, {0, 4, 1}, {0, 1, 3}, {0, 3, 2}}}; // one side in two triangles
+    const std::vector<Vec3> normals = vertex_normals(corner);
+    EXPECT_NEAR(norm(normals[0] - normalized(Vec3{-1, -1, -1})), 0.0, 1e-12);
+    EXPECT_EQ(normals[5], Vec3{}); // on no face
 }
 
 TEST(Circumcircle, is_as_far_from_all_corners_and_in_their_plane)

@@ -47,6 +47,21 @@ TEST(PrintCheck, a_plate_is_as_thick_as_it_is)
     EXPECT_TRUE(check(plate, {.min_wall = 0.7}).failures.empty());
 }
 
+TEST(PrintCheck, one_thin_place_is_the_thinnest_wall_and_moves_no_share)
+{
+    TriangleMesh parts = box({0, 0, 0}, {40, 30, 8});
+    append(parts, box({50, 0, 0}, {50.5, 0.5, 0.01}));
+    const PrintCheck result = check(parts, {.min_wall = 1.0});
+    EXPECT_NEAR(result.thinnest_wall->length, 0.01, 1e-9);
+    EXPECT_EQ(result.failures.size(), 1U);
+    EXPECT_LT(result.thin_area_share, 0.001);
+    ASSERT_TRUE(result.wall_thickness);
+    EXPECT_NEAR(result.wall_thickness->percent_1, 8.0, 1e-9);
+    EXPECT_NEAR(result.wall_thickness->percent_5, 8.0, 1e-9);
+    EXPECT_NEAR(result.wall_thickness->median, 8.0, 1e-9); // 2,400 of 3,520 mm2
+    EXPECT_FALSE(check(icosphere(0, 1.0), {.samples = 0}).wall_thickness);
+}
+
 TEST(PrintCheck, a_hollow_ball_has_a_wall_and_a_trapped_cavity)
 {
     TriangleMesh ball = icosphere(4, 20.0);
