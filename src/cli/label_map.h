@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "volume/statistics.h"
 #include "volume/volume.h"
 
@@ -15,5 +17,9 @@ double equal_neighbor_share(const Volume& volume);
 //! and most neighbours equal. Between names there is nothing to interpolate, so no isovalue can be guessed. A
 //! mask of two values is not counted: halfway between them is right.
 bool looks_like_label_map(const Volume& volume, const VolumeStatistics& statistics);
+
+//! Whether whole numbers that were called labels are rather measurements: many different ones, and neighbours
+//! hardly ever equal. Labels of a voxel or two each look like that as well.
+bool looks_like_scan(const Volume& volume, std::size_t labels);
 
 } // namespace voroprobe

@@ -5,10 +5,12 @@
 #include <set>
 #include <utility>
 
+#include "cli/label_map.h"
 #include "cli/label_ranges.h"
 #include "cli/surface_input.h"
 #include "io/volume_reader.h"
 #include "support/error.h"
+#include "support/number_text.h"
 
 namespace voroprobe
 {
@@ -178,6 +180,10 @@ LabelMap read_label_map(const MeshArguments& arguments)
         map.format = std::move(read.format);
         map.stored_type = std::move(read.stored_type);
         map.warnings = std::move(read.warnings);
+        if (const std::size_t labels = map.label_count(); looks_like_scan(read.volume, labels))
+            map.warnings.push_back("neighbours are seldom equal and there are " + count_text(labels) +
+                                   " different values: this looks like a scan, not a label map (--isovalue "
+                                   "meshes a scan)");
     }
     for (std::string& warning : empty_segment_warnings(map))
         map.warnings.push_back(std::move(warning));

@@ -23,6 +23,9 @@ using Json = nlohmann::ordered_json;
 //! Labels of many that the table has.
 constexpr std::size_t kMostRows = 40;
 
+//! Volumes that change by more are counted, as a share.
+constexpr double kVolumeBound = 0.02;
+
 struct Totals
 {
     std::size_t voxels = 0;
@@ -37,7 +40,8 @@ struct Totals
     std::size_t faces_below_angle = 0;
     double voxel_volume = 0.0;
     double mesh_volume = 0.0;
-    double largest_change = 0.0; //!< of a label's volume, as a fraction
+    std::size_t beyond_bound = 0; //!< labels whose volume changed by more than kVolumeBound
+    double largest_change = 0.0;  //!< of a label's volume, as a fraction
     const LabelOutcome* most_changed = nullptr;
 };
 
@@ -58,6 +62,7 @@ Totals totals_of(const LabelsRun& run)
         sum.faces_below_angle += label.mesh.faces_below_angle;
         sum.voxel_volume += label.mesh.voxel_volume;
         sum.mesh_volume += label.mesh.mesh_volume;
+        sum.beyond_bound += std::abs(label.mesh.volume_change()) > kVolumeBound ? 1 : 0;
         if (const double change = std::abs(label.mesh.volume_change()); !(change < sum.largest_change))
         {
             sum.largest_change = change;
@@ -209,15 +214,6 @@ Json parameters_json(const LabelsRun& run)
             {"threads", run.threads}};
 }
 
-//! Meshes that are made jointly are not held against the cavities of the label map.
-std::string cavities_line(const LabelsRun& run, const Totals& sum)
-{
-    if (run.options.smoothing.method == SmoothingMethod::kJoint)
-        return info_line("cavities", "not compared with those of the label map");
-    return info_line("cavities", count_text(sum.cavities_expected) + " in the label map, " +
-                                     count_text(sum.cavities_meshed) + " meshed");
-}
-
 std::string criteria_text(const MeshingOptions& options)
 {
     return "size " + number_text(options.max_facet_radius) + " mm, angle " +
@@ -242,12 +238,14 @@ std::string labels_report(const LabelsRun& run)
            info_line("parts", count_text(sum.parts_expected) + " in the label map (26 neighbours), " +
                                   count_text(sum.parts_meshed) + " meshed, " +
                                   count_text(sum.parts_restored) + " of them kept from being smoothed away") +
-           cavities_line(run, sum) +
+           info_line("cavities", count_text(sum.cavities_expected) + " in the label map, " +
+                                     count_text(sum.cavities_meshed) + " meshed") +
            info_line("volume", number_text(sum.voxel_volume) + " mm3 of voxels, " +
                                    number_text(sum.mesh_volume) +
                                    " mm3 of meshes; largest change of a label " +
                                    change_text(sum.most_changed->mesh.volume_change()) + " % (" +
-                                   sum.most_changed->name + ')') +
+                                   sum.most_changed->name + "), " + count_text(sum.beyond_bound) +
+                                   " by more than 2 %") +
            info_line("meshes", count_text(sum.vertices) + " vertices, " + count_text(sum.faces) + " faces, " +
                                    count_text(sum.faces_below_angle) + " below " +
                                    number_text(run.options.criteria.min_facet_angle_deg) + " deg") +
@@ -289,6 +287,7 @@ std::string labels_summary_json(const LabelsRun& run)
           {"voxel_volume_mm3", sum.voxel_volume},
           {"mesh_volume_mm3", sum.mesh_volume},
           {"largest_volume_change_percent", 100.0 * sum.largest_change},
+          {"labels_beyond_2_percent", sum.beyond_bound},
           {"vertices", sum.vertices},
           {"faces", sum.faces},
           {"faces_below_angle_bound", sum.faces_below_angle}}},

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
+#include "certificate/mesh_pieces.h"
+#include "labels/interface_fitting.h"
 #include "labels/interface_meshing.h"
+#include "labels/label_cavities.h"
 #include "labels/label_partition.h"
 #include "mesh/measures.h"
 #include "mesh/topology.h"
@@ -15,6 +19,20 @@ namespace voroprobe
 namespace
 {
 
+//! A speck that meshing left half its radius needs as much.
+constexpr double kLargestShiftInVoxels = 0.6;
+
+//! By label; the background counts as none.
+std::vector<double> voxel_volumes(const LabelSurvey& survey, std::span<const std::uint32_t> labels,
+                                  const Vec3& spacing)
+{
+    std::vector<double> volumes(survey.labels().size() + 1, 0.0);
+    for (const std::uint32_t place : labels)
+        volumes[place + 1] =
+            spacing.x * spacing.y * spacing.z * static_cast<double>(survey.labels()[place].voxels);
+    return volumes;
+}
+
 void list_faults(const LabelSurvey& survey, const InterfaceMesh& interfaces, LabelMesh& label)
 {
     const auto blame = [&](std::span<const std::uint32_t> parts, const std::string& reason)
@@ -25,6 +43,14 @@ void list_faults(const LabelSurvey& survey, const InterfaceMesh& interfaces, Lab
     };
     blame(interfaces.missing_parts, "too small for the triangulation: no Delaunay cell has it");
     blame(interfaces.merged_parts, "joined with another part of the label");
+}
+
+//! Pieces that wind inward: what encloses something else than the label.
+std::size_t count_inward(const TriangleMesh& mesh)
+{
+    const std::vector<MeshPiece> pieces = split_into_pieces(mesh).pieces;
+    return static_cast<std::size_t>(std::count_if(
+        pieces.begin(), pieces.end(), [](const MeshPiece& piece) { return piece.enclosed_volume < 0.0; }));
 }
 
 LabelMesh gather(const LabelSurvey& survey, const InterfaceMesh& interfaces, std::uint32_t place,
@@ -40,6 +66,8 @@ LabelMesh gather(const LabelSurvey& survey, const InterfaceMesh& interfaces, std
             std::to_string(topology.misoriented_edges) + " whose faces wind against each other");
     label.touching_edges = topology.non_manifold_edges;
     list_faults(survey, interfaces, label);
+    label.cavities_expected = count_cavities(survey, place);
+    label.cavities_meshed = count_inward(label.mesh);
     label.parts_meshed = surveyed.parts.size() - label.faults.size();
     label.voxel_volume = spacing.x * spacing.y * spacing.z * static_cast<double>(surveyed.voxels);
     label.mesh_volume = enclosed_volume(label.mesh);
@@ -54,13 +82,15 @@ void mesh_labels_jointly(const LabelSurvey& survey, std::span<const std::uint32_
                          const std::function<void(LabelMesh)>& done)
 {
     const LabelPartition partition(survey, labels, spacing);
-    const InterfaceMesh interfaces = mesh_interfaces(survey, labels, spacing, partition, criteria, progress);
+    InterfaceMesh interfaces = mesh_interfaces(survey, labels, spacing, partition, criteria, progress);
     if (interfaces.status == MeshingStatus::kBudgetExhausted)
         throw Error(ExitStatus::kBudget, "the labels take more than " +
                                              count_text(criteria.max_vertices.value_or(0)) +
                                              " vertices at this size, distance and floor; none was meshed");
     if (interfaces.status != MeshingStatus::kDone)
         return;
+    fit_volumes(interfaces, voxel_volumes(survey, labels, spacing),
+                {.max_shift = kLargestShiftInVoxels * std::min({spacing.x, spacing.y, spacing.z})});
     for (const std::uint32_t place : labels)
         done(gather(survey, interfaces, place, spacing, criteria.min_facet_angle_deg));
 }

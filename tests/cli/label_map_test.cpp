@@ -60,5 +60,15 @@ TEST(LabelMap, a_constant_volume_has_no_pairs_to_judge_by)
     EXPECT_FALSE(looks_like_labels(constant));
 }
 
+TEST(LabelMap, many_values_with_noise_look_like_a_scan_and_blocks_do_not)
+{
+    Random random(2);
+    const Volume noise = small_volume<std::int16_t>({20, 10, 10}, [&](std::size_t, std::size_t, std::size_t)
+                                                    { return static_cast<std::int16_t>(random.below(900)); });
+    EXPECT_TRUE(looks_like_scan(noise, 900));
+    EXPECT_FALSE(looks_like_scan(noise, 20)); // soon meshed
+    EXPECT_FALSE(looks_like_scan(blocks_of_labels(), 900));
+}
+
 } // namespace
 } // namespace voroprobe

@@ -7,6 +7,7 @@
 
 #include "certificate/self_intersections.h"
 #include "labels/joint_meshing.h"
+#include "labels/label_cavities.h"
 #include "mesh/measures.h"
 #include "mesh/topology.h"
 #include "random_labels.h"
@@ -124,7 +125,8 @@ TEST(InterfaceMeshing, each_label_is_closed_and_faces_outward)
         EXPECT_TRUE(analyze_topology(label.mesh).oriented());
         EXPECT_EQ(count_components(label.mesh), 1U);
         EXPECT_TRUE(self_intersections(label.mesh).empty());
-        EXPECT_NEAR(label.mesh_volume, label.voxel_volume, 0.1 * label.voxel_volume);
+        EXPECT_NEAR(label.mesh_volume, label.voxel_volume, 0.02 * label.voxel_volume);
+        EXPECT_EQ(label.cavities_meshed, label.cavities_expected);
     }
 }
 
@@ -150,6 +152,63 @@ TEST(InterfaceMeshing, neighbours_have_the_same_triangles_where_they_touch_and_d
     EXPECT_TRUE(self_intersections(weld(all)).empty()); // no two surfaces cross: no overlap
 }
 
+//! A shell of label 1, two voxels thick, round a ball of label 2 and, beside it, one round nothing.
+Volume two_shells()
+{
+    std::vector<std::uint8_t> samples;
+    for (int k = 0; k < 16; ++k)
+        for (int j = 0; j < 16; ++j)
+            for (int i = 0; i < 32; ++i)
+            {
+                const double filled = distance({1.0 * i, 1.0 * j, 1.0 * k}, {8, 8, 8});
+                const double hollow = distance({1.0 * i, 1.0 * j, 1.0 * k}, {23, 8, 8});
+                const bool is_shell = (filled > 3.5 && filled <= 5.5) || (hollow > 3.5 && hollow <= 5.5);
+                samples.push_back(is_shell ? 1 : filled <= 3.5 ? 2 : 0);
+            }
+    return make_volume({.size = {32, 16, 16}, .spacing = kUnit, .direction = {}, .origin = {}},
+                       std::move(samples));
+}
+
+TEST(InterfaceMeshing, volumes_and_cavities_are_kept_whatever_fills_these)
+{
+    const LabelSurvey survey(two_shells());
+    ASSERT_EQ(count_cavities(survey, 0), 2U);
+    for (const auto& [place, label] : mesh_jointly(survey))
+    {
+        EXPECT_TRUE(label.complete());
+        EXPECT_EQ(label.cavities_expected, place == 0 ? 2U : 0U);
+        EXPECT_EQ(label.cavities_meshed, label.cavities_expected);
+        EXPECT_NEAR(label.mesh_volume, label.voxel_volume, 0.01 * label.voxel_volume);
+        EXPECT_TRUE(self_intersections(label.mesh).empty());
+    }
+}
+
+TEST(LabelCavities, are_counted_as_a_flood_through_faces_does)
+{
+    const std::array<std::size_t, 3> size{12, 10, 11};
+    for (std::uint64_t seed = 0; seed < 20; ++seed)
+    {
+        const Volume volume = random_labels(size, 3, seed);
+        const auto& samples = std::get<std::vector<std::uint16_t>>(volume.samples);
+        const LabelSurvey survey(volume);
+        for (std::uint32_t place = 0; place < survey.labels().size(); ++place)
+        {
+            // All that is not the label, in a frame that joins what leaves the volume.
+            const std::array<std::size_t, 3> framed{size[0] + 2, size[1] + 2, size[2] + 2};
+            std::vector<bool> others(framed[0] * framed[1] * framed[2], true);
+            for (std::size_t n = 0; n < samples.size(); ++n)
+            {
+                const std::size_t i = n % size[0] + 1;
+                const std::size_t j = n / size[0] % size[1] + 1;
+                const std::size_t k = n / size[0] / size[1] + 1;
+                others[i + framed[0] * (j + framed[1] * k)] = samples[n] != survey.labels()[place].value;
+            }
+            EXPECT_EQ(count_cavities(survey, place), count_components(framed, others, Neighbours::kFaces) - 1)
+                << "seed " << seed << ", label " << place;
+        }
+    }
+}
+
 TEST(InterfaceMeshing, random_label_maps_give_closed_meshes_and_list_what_is_not_there)
 {
     for (std::uint64_t seed = 0; seed < 3; ++seed)
@@ -161,6 +220,7 @@ TEST(InterfaceMeshing, random_label_maps_give_closed_meshes_and_list_what_is_not
             EXPECT_EQ(analyze_topology(label.mesh).boundary_edges, 0U);
             EXPECT_EQ(label.parts_meshed + label.faults.size(), survey.labels()[place].parts.size());
             EXPECT_GT(label.mesh_volume, 0.0);
+            EXPECT_TRUE(self_intersections(label.mesh).empty());
         }
     }
 }
