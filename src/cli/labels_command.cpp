@@ -51,6 +51,19 @@ LabelMeshingOptions options_of(const MeshArguments& arguments, const LabelMap& m
     return options;
 }
 
+//! \throw UsageError where labels that overlap are to share their interfaces.
+void check_layers(const MeshArguments& arguments, const LabelMap& map)
+{
+    const bool jointly =
+        arguments.label_map.shared_interfaces ||
+        (arguments.label_map.smoothing && arguments.label_map.smoothing->method == SmoothingMethod::kJoint);
+    if (jointly && map.layers.size() > 1)
+        throw UsageError("--shared-interfaces is given, but the segments lie in " +
+                         count_text(map.layers.size()) +
+                         " layers and may overlap; allowed: one layer, chosen with --frame 0 to " +
+                         std::to_string(map.layers.size() - 1));
+}
+
 //! The labels asked for that are in a layer, by their places.
 std::vector<std::uint32_t> places_in_layer(const LabelsRun& run, std::size_t layer)
 {
@@ -115,6 +128,7 @@ void run_labels_command(const MeshArguments& arguments)
     progress->report({.phase = "read"});
     LabelMap map = read_label_map(arguments);
     std::vector<LabelOutcome> labels = chosen_labels(arguments, map);
+    check_layers(arguments, map);
     print_warnings(map.warnings);
     const std::size_t threads = arguments.threads.value_or(std::max(1U, std::thread::hardware_concurrency()));
     const LabelMeshingOptions options = options_of(arguments, map, threads);

@@ -1,4 +1,6 @@
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
 #include <nlohmann/json.hpp>
 
@@ -133,7 +135,45 @@ TEST_F(LabelsTest, neighbours_can_share_their_triangles)
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     const auto summary = nlohmann::json::parse(program::read_text(folder_ / "s.json"));
     for (const auto& label : summary.at("labels"))
+    {
         EXPECT_TRUE(analyze_topology(weld(read_mesh(label.at("path").get<std::string>()))).closed());
+        EXPECT_LT(std::abs(label.at("volume_change_percent").get<double>()), 2.0);
+        EXPECT_EQ(label.at("cavities_meshed"), label.at("cavities_expected"));
+    }
+    EXPECT_EQ(summary.at("totals").at("labels_beyond_2_percent"), 0);
+}
+
+//! A 3D Slicer segmentation of two balls that overlap, each in a layer of its own.
+void write_overlapping_segments(const std::filesystem::path& path)
+{
+    std::ofstream file(path, std::ios::binary);
+    file << "NRRD0004\ntype: unsigned char\ndimension: 4\nspace: left-posterior-superior\n"
+            "sizes: 2 20 16 16\nspace directions: none (1,0,0) (0,1,0) (0,0,1)\n"
+            "kinds: list domain domain domain\nencoding: raw\nspace origin: (0,0,0)\n"
+            "Segment0_Name:=first\nSegment0_LabelValue:=1\nSegment0_Layer:=0\n"
+            "Segment1_Name:=second\nSegment1_LabelValue:=1\nSegment1_Layer:=1\n\n";
+    for (int k = 0; k < 16; ++k)
+        for (int j = 0; j < 16; ++j)
+            for (int i = 0; i < 20; ++i)
+                for (const double middle : {7.0, 11.0})
+                    file.put(distance({1.0 * i, 1.0 * j, 1.0 * k}, {middle, 8, 8}) <= 5.0 ? 1 : 0);
+}
+
+TEST_F(LabelsTest, segments_that_overlap_are_meshed_whole_and_share_no_interfaces)
+{
+    write_overlapping_segments(folder_ / "s.seg.nrrd");
+    std::vector<std::string> arguments{"mesh", folder_ / "s.seg.nrrd",    "--labels", "all",
+                                       "-o",   folder_ / "out/{name}.stl"};
+    ASSERT_EQ(run(arguments).status, 0);
+    const double first = enclosed_volume(read_mesh(folder_ / "out/first.stl"));
+    EXPECT_NEAR(first, enclosed_volume(read_mesh(folder_ / "out/second.stl")), 0.01 * first);
+    EXPECT_NEAR(first, 515.0, 0.02 * 515.0); // voxels within 5 of the middle one
+    arguments.push_back("--shared-interfaces");
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.err.find("2 layers"), std::string::npos) << outcome.err;
+    arguments.insert(arguments.end(), {"--frame", "1"});
+    EXPECT_EQ(run(arguments).status, 0);
 }
 
 TEST_F(LabelsTest, a_scan_is_not_taken_for_a_label_map)
