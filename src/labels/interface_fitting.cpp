@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -15,6 +17,9 @@ namespace
 {
 
 constexpr int kRounds = 8;
+
+//! Rounds end when one leaves more than this of what was missing.
+constexpr double kWorthwhile = 0.9;
 
 //! What a round moves a vertex at most, as a share of the largest shift.
 constexpr double kStepShare = 0.25;
@@ -76,8 +81,13 @@ public:
 
     void run()
     {
+        double missing_before = std::numeric_limits<double>::infinity();
         for (int round = 0; round < kRounds && !fits(); ++round)
         {
+            const double missing = total_missing();
+            if (missing > kWorthwhile * missing_before)
+                break; // what is left is held by its neighbours
+            missing_before = missing;
             find_pressures();
             move();
         }
@@ -108,6 +118,12 @@ private:
         for (std::size_t label = 1; label < wanted_.size(); ++label)
             fits = fits && std::abs(missing_[label]) <= options_.tolerance * wanted_[label];
         return fits;
+    }
+
+    [[nodiscard]] double total_missing() const
+    {
+        return std::accumulate(missing_.begin() + 1, missing_.end(), 0.0,
+                               [](double sum, double missing) { return sum + std::abs(missing); });
     }
 
     //! To the first order: a label gains the areas of its interfaces times the differences of pressure.
