@@ -60,7 +60,7 @@ struct IndexBox
     {
         std::array<std::size_t, 3> count{};
         for (std::size_t axis = 0; axis < 3; ++axis)
-            count[axis] = static_cast<std::size_t>(last[axis] - first[axis] + 1);
+            count[axis] = static_cast<std::size_t>(std::ptrdiff_t{last[axis]} - first[axis] + 1);
         return count;
     }
 
