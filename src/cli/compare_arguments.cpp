@@ -123,12 +123,12 @@ void add_contestant_options(CLI::App& command, CompareArguments& arguments)
     group.text("--contestant-seconds", "S", "A contestant that takes longer has failed (default 120)",
                [&arguments](const std::string& given)
                { arguments.contestant_seconds = parse_number("--contestant-seconds", given, kSeconds); });
-    group.text("--sweep-seconds", "S",
-               "Time to run contestants again to find how many vertices they\nneed to be as near to the scan "
-               "as marching "
-               "cubes; 0 leaves it out\n(default 12)",
-               [&arguments](const std::string& given)
-               { arguments.sweep_seconds = parse_number("--sweep-seconds", given, kSecondsOrNone); });
+    group.text(
+        "--sweep-seconds", "S",
+        "Processor time to run contestants again, to find how many\nvertices they need to be as near to "
+        "the scan as marching cubes; 0\nleaves it out (default 20)",
+        [&arguments](const std::string& given)
+        { arguments.sweep_seconds = parse_number("--sweep-seconds", given, kSecondsOrNone); });
 }
 
 void add_output_options(CLI::App& command, CompareArguments& arguments)

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "compare/competition_options.h"
+#include "compare/contest_outcome.h"
 #include "compare/contestant_list.h"
 #include "compare/measurement.h"
 #include "compare/process_pool.h"
@@ -13,18 +13,6 @@
 
 namespace voroprobe
 {
-
-//! What came of one contestant.
-struct ContestantOutcome
-{
-    ContestantEntry entry;
-    nlohmann::ordered_json
-        report;          //!< its part of report.json: "status" is "done" or "failed", with a "reason"
-    std::string view;    //!< packed for the page; empty where there is none
-    std::string picture; //!< PNG; empty where there is none
-
-    [[nodiscard]] bool done() const { return report.at("status") == "done"; }
-};
 
 //! Runs every contestant in a process of its own, and measures it there. Ours is to be the first; contestants
 //! that are told how fine ours is wait for it. One that fails is an outcome with a reason. Order: that of

@@ -31,6 +31,7 @@ struct ContestantEntry
 //! Names that others are told by.
 inline constexpr const char* kOurs = "voroprobe";
 inline constexpr const char* kReference = "marching_cubes";
+inline constexpr const char* kUsualForLabels = "decimated";
 
 //! All that are built in, ours first.
 std::vector<ContestantEntry> all_contestants();

@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <numeric>
 #include <optional>
 
 #include "compare/one_thread.h"
 #include "mesh/topology.h"
-#include "support/stopwatch.h"
 
 namespace voroprobe
 {
@@ -59,11 +59,17 @@ constexpr double kBeyond = 1.15;
 //! nothing.
 constexpr double kJustBelow = 0.99;
 
+//! And keeps this share of the way between them from either, or a bent curve would be followed in tiny steps.
+constexpr double kLeastShareOfWay = 0.1;
+
 //! The search ends where the next trial would change the factor by less: its vertices by 3 %.
 constexpr double kSmallestChange = 1.015;
 
 //! Runs of a contestant for one goal, at most.
 constexpr std::size_t kTrialsPerGoal = 4;
+
+//! The headline is about ours: so many trials of it come before the first one of others.
+constexpr std::size_t kOursAhead = 3;
 
 double value(const Trial& trial, Goal goal)
 {
@@ -119,7 +125,8 @@ private:
             return std::nullopt;
         const double whole = std::log(value(bad, goal) / value(good, goal));
         const double part = std::log(kJustBelow * target(goal) / value(good, goal));
-        return good.factor * std::pow(ratio, std::clamp(part / whole, 0.25, 0.75));
+        return good.factor *
+               std::pow(ratio, std::clamp(part / whole, kLeastShareOfWay, 1.0 - kLeastShareOfWay));
     }
 
     [[nodiscard]] std::optional<double> beyond(const Trial& trial, Goal goal, double aim) const
@@ -185,25 +192,36 @@ public:
 
     [[nodiscard]] const ContestantEntry& entry() const { return outcome_.entry; }
 
-    //! nullopt where the sweep is over.
-    std::optional<double> next(Goal goal)
+    //! The factor of the next trial for a goal. nullopt where there is none, or the one before is not done.
+    [[nodiscard]] std::optional<double> next(Goal goal) const
     {
-        std::size_t& tried = tried_[static_cast<std::size_t>(goal)];
-        if (failure_ || tried == kTrialsPerGoal)
-            return std::nullopt;
-        const auto factor = search_.next(goal);
-        tried += factor ? 1 : 0;
-        return factor;
+        const Progress& progress = progress_[static_cast<std::size_t>(goal)];
+        return failure_ || progress.running || progress.begun == kTrialsPerGoal ? std::nullopt
+                                                                                : search_.next(goal);
+    }
+
+    void begin(Goal goal)
+    {
+        Progress& progress = progress_[static_cast<std::size_t>(goal)];
+        progress.running = true;
+        ++progress.begun;
     }
 
     void stop(const std::string& reason) { failure_ = reason; }
 
-    void take(const ChildResult& result)
+    void take(Goal goal, const ChildResult& result)
     {
+        progress_[static_cast<std::size_t>(goal)].running = false;
         if (result.parts.empty())
             return stop(result.failure.value_or("it sent nothing"));
         const Json trial = Json::parse(result.parts.front());
         search_.add({trial.at("factor"), trial.at("vertices"), trial.at("max_mm"), trial.at("rms_mm")});
+    }
+
+    [[nodiscard]] std::size_t trials_begun() const
+    {
+        return std::accumulate(progress_.begin(), progress_.end(), std::size_t{0},
+                               [](std::size_t sum, const Progress& one) { return sum + one.begun; });
     }
 
     [[nodiscard]] Json report() const
@@ -231,34 +249,106 @@ private:
             {"of_reference", static_cast<double>(best->vertices) / static_cast<double>(reference_vertices_)}};
     }
 
+    struct Progress
+    {
+        std::size_t begun = 0;
+        bool running = false;
+    };
+
     const ContestantOutcome& outcome_;
     Search search_;
     std::size_t reference_vertices_;
     std::optional<std::string> failure_;
-    std::array<std::size_t, kGoals.size()> tried_{}; //!< by goal
+    std::array<Progress, kGoals.size()> progress_{}; //!< by goal
 };
 
-//! Runs the next trial of a sweep for a goal; when that is done, the one after it.
-void add_trial(ProcessPool& pool, Sweep& sweep, Goal goal, const MeshingTask& task,
-               const ReferenceSurface& reference, const CompetitionOptions& options, const Stopwatch& clock)
+//! Runs trials of all sweeps, a few of ours first, until nothing is left to try or the processor time is
+//! used. Trials that run then are waited for.
+class SweepRun
 {
-    const std::optional<double> factor = sweep.next(goal);
-    if (!factor)
-        return;
-    if (clock.seconds() > options.sweep_seconds)
-        return sweep.stop("the time for it was over");
-    pool.add([&sweep, &task, &reference, &options, factor](ChildOutput& output)
-             { run_trial(sweep.entry(), task, *factor, reference, options.measuring, output); },
-             [&pool, &sweep, goal, &task, &reference, &options, &clock](const ChildResult& result)
-             {
-                 sweep.take(result);
-                 if (options.tell)
-                     options.tell("equal accuracy, " + sweep.entry().title);
-                 add_trial(pool, sweep, goal, task, reference, options, clock);
-             },
-             options.sweep_seconds,
-             sweep.entry().name == kOurs ? ProcessPool::Turn::kNext : ProcessPool::Turn::kLast);
-}
+public:
+    SweepRun(std::deque<Sweep>& sweeps, const MeshingTask& task, const ReferenceSurface& reference,
+             const CompetitionOptions& options)
+        : sweeps_(sweeps), task_(task), reference_(reference), options_(options), pool_(options.at_once)
+    {
+    }
+
+    void run()
+    {
+        begin_more();
+        pool_.run();
+    }
+
+private:
+    struct Next
+    {
+        Sweep& sweep;
+        Goal goal;
+        double factor;
+    };
+
+    //! Of the sweep with the fewest trials; ours may be some ahead.
+    [[nodiscard]] std::optional<Next> next()
+    {
+        std::optional<Next> best;
+        for (Sweep& sweep : sweeps_)
+            for (const Goal goal : kGoals)
+                if (const auto factor = sweep.next(goal);
+                    factor && (!best || goes_before(sweep, best->sweep)))
+                    best.emplace(Next{sweep, goal, *factor});
+        return best;
+    }
+
+    static bool goes_before(const Sweep& a, const Sweep& b) { return turn_of(a) < turn_of(b); }
+
+    static std::size_t turn_of(const Sweep& sweep)
+    {
+        return sweep.trials_begun() + (sweep.entry().name == kOurs ? 0 : kOursAhead);
+    }
+
+    //! Keeps as many trials running as are allowed.
+    void begin_more()
+    {
+        while (running_ < options_.at_once)
+        {
+            const std::optional<Next> trial = next();
+            if (!trial)
+                return;
+            if (cpu_seconds_ < options_.sweep_seconds)
+                begin(*trial);
+            else
+                trial->sweep.stop("the time for it was over");
+        }
+    }
+
+    void begin(const Next& trial)
+    {
+        ++running_;
+        trial.sweep.begin(trial.goal);
+        pool_.add(
+            [this, trial](ChildOutput& output)
+            { run_trial(trial.sweep.entry(), task_, trial.factor, reference_, options_.measuring, output); },
+            [this, trial](const ChildResult& result) { take(trial, result); }, options_.contestant_seconds);
+    }
+
+    void take(const Next& trial, const ChildResult& result)
+    {
+        --running_;
+        cpu_seconds_ += result.cpu_seconds;
+        trial.sweep.take(trial.goal, result);
+        if (options_.tell)
+            options_.tell("equal accuracy, " + trial.sweep.entry().title);
+        begin_more();
+    }
+
+    std::deque<Sweep>& sweeps_;
+    const MeshingTask& task_;
+    const ReferenceSurface& reference_;
+    const CompetitionOptions& options_;
+    ProcessPool pool_;
+    double cpu_seconds_ = 0.0; //!< of the trials that are done
+    std::size_t running_ = 0;
+};
 
 //! Refinement that did not begin at a surface does not find it with finer criteria.
 bool has_lost_more(const ContestantOutcome& outcome, const ContestantOutcome& reference)
@@ -288,9 +378,7 @@ nlohmann::ordered_json equal_accuracy(const std::vector<ContestantOutcome>& outc
     const ContestantOutcome* ours = find_done(outcomes, kOurs);
     const MeshingTask aimed = ours != nullptr ? with_targets(task, ours->report) : task;
 
-    const Stopwatch clock;
     std::deque<Sweep> sweeps; // referred to while it grows
-    ProcessPool pool(options.at_once);
     for (const ContestantOutcome& outcome : outcomes)
     {
         if (!outcome.done() || outcome.entry.knob == Knob::kNone)
@@ -299,10 +387,8 @@ nlohmann::ordered_json equal_accuracy(const std::vector<ContestantOutcome>& outc
         if (has_lost_more(outcome, *marching_cubes))
             sweep.stop(
                 "it has fewer surfaces than marching cubes, and finer criteria do not bring them back");
-        for (const Goal one : kGoals)
-            add_trial(pool, sweep, one, aimed, reference, options, clock);
     }
-    pool.run();
+    SweepRun(sweeps, aimed, reference, options).run();
 
     Json contestants = Json::array();
     for (const Sweep& sweep : sweeps)

@@ -111,6 +111,7 @@ std::string png_of(vtkRenderWindow* window)
     pixels->SetInput(window);
     pixels->SetInputBufferTypeToRGB();
     pixels->ReadFrontBufferOff();
+    pixels->ShouldRerenderOff(); // it is there
     const auto writer = vtkSmartPointer<vtkPNGWriter>::New();
     writer->SetInputConnection(pixels->GetOutputPort());
     writer->WriteToMemoryOn();

@@ -10,6 +10,7 @@
 
 #include <poll.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -63,6 +64,11 @@ std::vector<std::string> whole_parts(std::FILE* file)
         parts.push_back(bytes.substr(at, length));
     }
     return parts;
+}
+
+double seconds_of(const timeval& time)
+{
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
 std::string last_line(std::string text)
@@ -207,10 +213,13 @@ ChildResult ProcessPool::result_of(Running& child)
 {
     close(child.end_of_life);
     int wait_status = 0;
-    while (waitpid(child.process, &wait_status, 0) < 0 && errno == EINTR)
+    rusage usage{};
+    while (wait4(child.process, &wait_status, 0, &usage) < 0 && errno == EINTR)
     {
     }
-    ChildResult result{.parts = whole_parts(child.output.get()), .failure = std::nullopt};
+    ChildResult result{.parts = whole_parts(child.output.get()),
+                       .failure = std::nullopt,
+                       .cpu_seconds = seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime)};
     if (child.timed_out)
         result.failure = "not done after " + number_text(*child.max_seconds) + " s";
     else if (wait_status != 0)

@@ -35,7 +35,8 @@ struct ChildResult
 {
     std::vector<std::string> parts;
     std::optional<std::string>
-        failure; //!< why it did not end well: its last line on stderr, or the signal; one line
+        failure;              //!< why it did not end well: its last line on stderr, or the signal; one line
+    double cpu_seconds = 0.0; //!< processor time of all its threads, user and system
 };
 
 //! Runs functions in child processes of their own, so that memory and crashes are theirs and slow ones can be

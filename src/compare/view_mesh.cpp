@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Simple_cartesian.h>
+#include <numeric>
+#include <span>
 
 #include "certificate/mesh_pieces.h"
 #include "certificate/nearest_crossing.h"
@@ -19,10 +16,7 @@ namespace voroprobe
 namespace
 {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Triangles = std::vector<Kernel::Triangle_3>;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+using Face = TriangleMesh::Face;
 
 //! The smallest pieces are shown whole, as many as take this share of the faces: decimation could take them
 //! away.
@@ -31,7 +25,7 @@ constexpr double kShareOfSmallPieces = 0.5;
 //! The search for the surface begins within so many voxels of a face.
 constexpr double kFirstReachInVoxels = 0.25;
 
-Point3 centroid(const TriangleMesh& mesh, const TriangleMesh::Face& face)
+Point3 centroid(const TriangleMesh& mesh, const Face& face)
 {
     return (mesh.corner(face, 0) + mesh.corner(face, 1) + mesh.corner(face, 2)) / 3.0;
 }
@@ -55,53 +49,66 @@ std::size_t largest_small_piece(const MeshPieces& pieces, std::size_t most_faces
     return largest;
 }
 
-//! The mesh shown, grid frame.
-TriangleMesh decimated(const TriangleMesh& mesh, const MeshPieces& pieces, std::size_t most_faces)
+//! The faces shown, over the vertices of the whole mesh.
+std::vector<Face> shown_faces(const TriangleMesh& mesh, const MeshPieces& pieces, std::size_t most_faces)
 {
     const std::size_t largest = largest_small_piece(pieces, most_faces);
-    std::vector<bool> small;
-    std::vector<bool> large;
-    for (const std::uint32_t piece : pieces.piece_of_face)
-    {
-        small.push_back(pieces.pieces[piece].faces <= largest);
-        large.push_back(!small.back());
-    }
-    TriangleMesh shown = with_faces(mesh, small);
-    const TriangleMesh rest = with_faces(mesh, large);
+    std::vector<Face> shown;
+    TriangleMesh rest{.vertices = mesh.vertices, .faces = {}};
+    for (std::size_t i = 0; i < mesh.faces.size(); ++i)
+        (pieces.pieces[pieces.piece_of_face[i]].faces <= largest ? shown : rest.faces)
+            .push_back(mesh.faces[i]);
     // Of pieces of equal size all are small or none: some more than their share.
-    const std::size_t left = std::max(most_faces / 10, most_faces - std::min(shown.faces.size(), most_faces));
-    const TriangleMesh coarse = decimate_faces(rest, left);
-    const auto offset = static_cast<std::uint32_t>(shown.vertices.size());
-    shown.vertices.insert(shown.vertices.end(), coarse.vertices.begin(), coarse.vertices.end());
-    for (const TriangleMesh::Face& face : coarse.faces)
-        shown.faces.push_back({face[0] + offset, face[1] + offset, face[2] + offset});
+    const std::size_t left = std::max(most_faces / 10, most_faces - std::min(shown.size(), most_faces));
+    const std::vector<Face> coarse = decimated_faces(rest, left);
+    shown.insert(shown.end(), coarse.begin(), coarse.end());
     return shown;
 }
 
-//! For each face of `shown` the face of `whole` next to its centroid.
-std::vector<std::uint32_t> nearest_faces(const TriangleMesh& shown, const TriangleMesh& whole)
+//! Which faces of a mesh each of its vertices is on.
+class FacesOfVertices
 {
-    const auto point = [](const Point3& p) { return Kernel::Point_3(p.x, p.y, p.z); };
-    Triangles triangles;
-    std::vector<std::uint32_t> face_of_triangle;
-    for (std::size_t i = 0; i < whole.faces.size(); ++i)
+public:
+    explicit FacesOfVertices(const TriangleMesh& mesh) : begin_(mesh.vertices.size() + 1, 0)
     {
-        const TriangleMesh::Face& face = whole.faces[i];
-        const Kernel::Triangle_3 triangle(point(whole.corner(face, 0)), point(whole.corner(face, 1)),
-                                          point(whole.corner(face, 2)));
-        if (!(triangle.squared_area() > 0.0))
-            continue;
-        triangles.push_back(triangle);
-        face_of_triangle.push_back(static_cast<std::uint32_t>(i));
+        for (const Face& face : mesh.faces)
+            for (const std::uint32_t vertex : face)
+                ++begin_[vertex + 1];
+        std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+        faces_.resize(begin_.back());
+        std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
+        for (std::size_t i = 0; i < mesh.faces.size(); ++i)
+            for (const std::uint32_t vertex : mesh.faces[i])
+                faces_[next[vertex]++] = static_cast<std::uint32_t>(i);
     }
-    Tree tree(triangles.cbegin(), triangles.cend());
-    tree.build();
-    std::vector<std::uint32_t> nearest;
-    nearest.reserve(shown.faces.size());
-    for (const TriangleMesh::Face& face : shown.faces)
+
+    [[nodiscard]] std::span<const std::uint32_t> operator[](std::uint32_t vertex) const
     {
-        const auto found = tree.closest_point_and_primitive(point(centroid(shown, face))).second;
-        nearest.push_back(face_of_triangle[static_cast<std::size_t>(found - triangles.cbegin())]);
+        return std::span(faces_).subspan(begin_[vertex], begin_[vertex + 1] - begin_[vertex]);
+    }
+
+private:
+    std::vector<std::size_t> begin_; //!< by vertex: its first place in `faces_`
+    std::vector<std::uint32_t> faces_;
+};
+
+//! For each face shown the face of the whole mesh that it stands for: of those at its corners the one whose
+//! centroid is next to its own.
+std::vector<std::uint32_t> nearest_faces(const std::vector<Face>& shown, const TriangleMesh& whole)
+{
+    const FacesOfVertices faces_of(whole);
+    std::vector<std::uint32_t> nearest;
+    nearest.reserve(shown.size());
+    for (const Face& face : shown)
+    {
+        const Point3 center = centroid(whole, face);
+        std::uint32_t best = faces_of[face[0]].front();
+        for (const std::uint32_t corner : face)
+            for (const std::uint32_t other : faces_of[corner])
+                if (squared_distance(center, centroid(whole, whole.faces[other])) <
+                    squared_distance(center, centroid(whole, whole.faces[best])))
+                    best = other;
+        nearest.push_back(best);
     }
     return nearest;
 }
@@ -114,7 +121,7 @@ std::vector<std::uint32_t> all_faces(const TriangleMesh& mesh)
     return faces;
 }
 
-double smallest_angle_deg(const TriangleMesh& mesh, const TriangleMesh::Face& face)
+double smallest_angle_deg(const TriangleMesh& mesh, const Face& face)
 {
     const auto angles = triangle_angles_deg(mesh.corner(face, 0), mesh.corner(face, 1), mesh.corner(face, 2));
     return *std::min_element(angles.begin(), angles.end());
@@ -128,7 +135,7 @@ void add_facts(const TriangleMesh& whole, const std::vector<std::uint32_t>& face
     const double last_reach = kLongestDistanceInVoxels * reference.voxel;
     for (const std::uint32_t number : faces)
     {
-        const TriangleMesh::Face& face = whole.faces[number];
+        const Face& face = whole.faces[number];
         const Vec3 normal = normalized(cross(whole.corner(face, 1) - whole.corner(face, 0),
                                              whole.corner(face, 2) - whole.corner(face, 0)));
         const auto found = search.near(centroid(whole, face), normal, first_reach, last_reach);
@@ -143,13 +150,19 @@ void add_facts(const TriangleMesh& whole, const std::vector<std::uint32_t>& face
 ViewMesh make_view_mesh(const TriangleMesh& mesh, const ReferenceSurface& reference, std::size_t most_faces)
 {
     const MeshPieces pieces = split_into_pieces(mesh);
-    const bool whole = mesh.faces.size() <= most_faces;
-    ViewMesh view{.mesh = whole ? mesh : decimated(mesh, pieces, most_faces),
+    ViewMesh view{.mesh = mesh,
                   .smallest_angles_deg = {},
                   .distances = {},
                   .pieces = {},
                   .faces_of_whole = mesh.faces.size()};
-    add_facts(mesh, whole ? all_faces(mesh) : nearest_faces(view.mesh, mesh), pieces, reference, view);
+    std::vector<std::uint32_t> stands_for = all_faces(mesh);
+    if (mesh.faces.size() > most_faces)
+    {
+        view.mesh.faces = shown_faces(mesh, pieces, most_faces);
+        stands_for = nearest_faces(view.mesh.faces, mesh);
+        view.mesh = with_faces(view.mesh, std::vector<bool>(view.mesh.faces.size(), true));
+    }
+    add_facts(mesh, stands_for, pieces, reference, view);
     transform(view.mesh, reference.world_from_grid);
     return view;
 }

@@ -16,7 +16,7 @@ MAY_INCLUDE = {
     "io": ["src/volume", "src/mesh"],
     "src/labels": ["src/volume", "oracles", "src/mesher", "src/certificate"],
     "src/postprocess": ["oracles/surface_oracle.h", "src/mesh", "src/certificate"],
-    "src/compare": ["src/volume", "oracles", "src/mesher", "src/certificate"],
+    "src/compare": ["src/volume", "oracles", "src/mesher", "src/certificate", "src/labels"],
     "src/cli": ["src/volume", "oracles", "src/mesher", "io", "src/certificate", "src/labels", "src/postprocess", "src/compare"],
 }
 
@@ -28,6 +28,7 @@ THIRD_PARTIES = {
     "lib3mf": (("lib3mf/", "Model/COM/NMR_"), ["io"]),
     "VTK": (("vtk",), ["io", "src/compare"]),
     "libtiff": (("tiffio.h",), ["io"]),
+    "meshoptimizer": (("meshoptimizer.h",), ["src/compare"]),
     "zlib": (("zlib.h",), ["io", "src/compare"]),
     "CGAL": (("CGAL/", "boost/"), ["oracles", "src/mesher", "src/certificate", "src/postprocess", "src/compare", "src/labels"]),
     "TBB": (("tbb/", "oneapi/tbb"), ["src/support", "src/volume", "src/mesher", "src/certificate", "src/labels", "src/compare"]),

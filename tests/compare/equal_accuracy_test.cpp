@@ -57,6 +57,29 @@ TEST(EqualAccuracy, what_counts_is_the_smallest_mesh_tried_that_is_as_near_as_ma
     EXPECT_FALSE(report.at("contestants").at(0).at("at_equal_max").is_null());
 }
 
+TEST(EqualAccuracy, trials_that_run_when_the_time_is_used_count_and_no_more_are_begun)
+{
+    const OneThread one_thread;
+    const ComparedPhantom phantom =
+        compared_phantom(torus_phantom({16.1, 16.2, 9.3}, 10.0, 4.0), {33, 33, 19});
+    const CompetitionOptions options{.measuring = {.mesh_samples = 1000},
+                                     .sweep_seconds = 1e-9, // less than any trial takes
+                                     .at_once = 2,
+                                     .pictures = false};
+    std::vector<ContestantEntry> entries = all_contestants();
+    std::erase_if(entries, [](const ContestantEntry& entry)
+                  { return entry.name != kOurs && entry.name != kReference && entry.name != "decimated"; });
+    const auto outcomes = compete(entries, phantom.task, phantom.reference, options);
+    const auto report = equal_accuracy(outcomes, phantom.task, phantom.reference, options);
+
+    const auto& ours = report.at("contestants").at(0);
+    EXPECT_EQ(ours.at("name"), kOurs); // comes first
+    EXPECT_EQ(ours.at("trials").size(), 1U + options.at_once);
+    const auto& others = report.at("contestants").at(1);
+    EXPECT_EQ(others.at("trials").size(), 1U);
+    EXPECT_EQ(others.at("ended_by"), "the time for it was over");
+}
+
 TEST(EqualAccuracy, there_is_none_without_the_reference)
 {
     const OneThread one_thread;

@@ -2,6 +2,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <ctime>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -28,6 +29,21 @@ TEST(ProcessPool, parts_come_back_whole_and_in_order)
     EXPECT_EQ(result.parts[0], "first");
     EXPECT_EQ(result.parts[1], "");
     EXPECT_EQ(result.parts[2], large);
+}
+
+TEST(ProcessPool, a_child_tells_its_processor_time_and_not_how_long_it_waited)
+{
+    constexpr double kBusySeconds = 0.05;
+    const ChildResult busy = run_in_child(
+        [](ChildOutput&)
+        {
+            while (static_cast<double>(std::clock()) < kBusySeconds * CLOCKS_PER_SEC)
+            {
+            }
+        });
+    EXPECT_GE(busy.cpu_seconds, 0.9 * kBusySeconds); // the system counts in ticks
+    const ChildResult idle = run_in_child([](ChildOutput&) { usleep(300'000); });
+    EXPECT_LT(idle.cpu_seconds, 0.3);
 }
 
 TEST(ProcessPool, an_exception_is_told_in_one_line)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -60,6 +61,11 @@ TEST_F(ViewOfSpheres, a_large_mesh_is_decimated_and_its_small_pieces_are_kept)
     EXPECT_EQ(view.faces_of_whole, mesh_.faces.size());
     EXPECT_EQ(std::count(view.pieces.begin(), view.pieces.end(), 1U), 20 * 16);
     EXPECT_EQ(count_components(view.mesh), 2U);
+    const auto before = [](const Point3& a, const Point3& b)
+    { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
+    const std::set<Point3, decltype(before)> places(mesh_.vertices.begin(), mesh_.vertices.end(), before);
+    EXPECT_TRUE(std::all_of(view.mesh.vertices.begin(), view.mesh.vertices.end(),
+                            [&](const Point3& p) { return places.contains(p); })); // none was moved
 }
 
 TEST_F(ViewOfSpheres, the_same_mesh_is_packed_into_the_same_bytes)
