@@ -26,9 +26,15 @@ std::vector<ContestantEntry> all_contestants()
         {"openvdb", "OpenVDB",
          "volumeToMesh, dual contouring without adaptivity; quads cut along the shorter diagonal.",
          Knob::kNone, make_openvdb},
-        {"surface_mesher", "CGAL make_surface_mesh",
-         "Delaunay refinement with the same criteria, and 20 first points on every connected set of inside "
-         "samples.",
+        {"surface_mesher_default", "CGAL make_surface_mesh",
+         "Delaunay refinement with the same criteria, begun at CGAL's default points: 20 rays from the "
+         "middle.",
+         Knob::kCriteria,
+         [](const MeshingTask& task) { return make_surface_mesher(task, FirstPoints::kDefault); }},
+        {"surface_mesher", "CGAL make_surface_mesh, seeded",
+         "The same with 20 first points more on every connected set of inside samples: CGAL has no search of "
+         "its "
+         "own for this mesher.",
          Knob::kCriteria,
          [](const MeshingTask& task) { return make_surface_mesher(task, FirstPoints::kSeeded); }},
         {"mesh_3", "CGAL make_mesh_3",
