@@ -64,7 +64,7 @@ export function faceColours(mesh, mode) {
 }
 
 // A CSS gradient and its marks, for the legend; null where the mode has none.
-export function legendOf(mode) {
+export function legendOf(mode, surface) {
   const ramp = ramps[mode];
   if (!ramp) return null;
   const longest = ramp.stops.at(-1)[0];
@@ -72,6 +72,6 @@ export function legendOf(mode) {
   return {
     gradient: `linear-gradient(to right, ${gradient})`,
     marks: ramp.stops.map(([value]) => ({ at: value / longest, text: `${value}${ramp.unit === "°" ? "°" : ""}` })),
-    unit: mode === "angle" ? "smallest angle of the triangle" : "distance from the scan’s surface, voxels",
+    unit: mode === "angle" ? "smallest angle of the triangle" : `distance from the ${surface}, voxels`,
   };
 }

@@ -11,6 +11,7 @@ const report = JSON.parse(byId("report-data").textContent);
 const done = report.contestants.filter((c) => c.status === "done");
 const titles = Object.fromEntries(report.contestants.map((c) => [c.name, c.title]));
 const mostRows = 300;
+const ofLabels = report.input.labels !== undefined; // a label map: parts in place of surfaces
 
 // ---- Words ----
 
@@ -19,16 +20,25 @@ function showHeadline() {
   byId("headline").textContent = sentences[0];
   byId("lead").textContent = sentences.slice(1).join(" ");
   const { input } = report;
-  byId("scan-name").textContent = `${input.name}, isovalue ${input.isovalue}`;
+  byId("scan-name").textContent = ofLabels ? `${input.name}, ${count(input.labels)} labels` : `${input.name}, isovalue ${input.isovalue}`;
   document.title = `${input.name}: Voroprobe and marching cubes`;
+  if (!ofLabels) return;
+  byId("surfaces-title").textContent = "The parts of the labels";
+  byId("mode").querySelector("[value=piece]").textContent = "label";
+  byId("how-measured").textContent = "Two voxels of a label that share a face, an edge or a corner belong to one part. A part counts as meshed " +
+    "where a closed piece of its label’s mesh has most of its corners next to the part’s voxels. Volumes are compared with those of the " +
+    "voxels, label by label. Distances are those to the staircase of the voxels, halfway between those inside and those outside, both ways, at " +
+    "the points that were looked at; a label without any mesh is left out of them. To be near the staircase is no merit: labels are smoothed on " +
+    "purpose, so equal accuracy is not asked for. Times are those of one processor.";
 }
 
 function showFacts() {
   byId("command").textContent = report.command;
   const { input, parameters: p, machine } = report;
   const facts = {
-    Scan: `${input.path} (${input.format}, ${input.type}), ${input.size.join(" × ")} voxels of ${input.spacing_mm.map((x) => short(x, 4)).join(" × ")} mm, values ${short(input.min)} to ${short(input.max)}`,
-    Isovalue: `${input.isovalue} (${input.isovalue_source}), inside ${input.inside}`,
+    Scan: `${input.path} (${input.format}, ${input.type}), ${input.size.join(" × ")} voxels of ${input.spacing_mm.map((x) => short(x, 4)).join(" × ")} mm${ofLabels ? "" : `, values ${short(input.min)} to ${short(input.max)}`}`,
+    ...(ofLabels ? { Labels: `${count(input.labels)}, smoothing of Voroprobe’s ${p.smoothing}${p.sigma_mm ? `, ${short(p.sigma_mm)} mm` : ""}` }
+                 : { Isovalue: `${input.isovalue} (${input.isovalue_source}), inside ${input.inside}` }),
     Criteria: `radius ${short(p.size_mm)} mm, angle ${p.angle_deg}°, distance ${short(p.distance_mm)} mm, floor ${short(p.floor_mm)} mm, reach ${short(p.reach_mm)} mm`,
     Unit: `1 voxel here is ${short(report.voxel_mm, 4)} mm, the side of the cube of a voxel’s volume`,
     Samples: `${count(p.samples)} points of each mesh, half as many of the scan`,
@@ -59,10 +69,21 @@ function surfacesShown(_, c) {
 const stages = (c) => c.time.stages.map((s) => `${s.name} ${short(s.cpu_seconds, 2)} s`).join(", ") || "made elsewhere";
 const degrees = (x) => `${short(x)}°`;
 
+function labelColumns() {
+  return [
+    column("largest volume change", "labels.largest_volume_change", percent, "Of any label, from the volume of its voxels"),
+    column("mean volume change", "labels.mean_volume_change", percent, "Over the labels, from the volume of their voxels"),
+    column("labels beyond 2 %", "labels.beyond_2_percent", count, "Labels whose volume changes by more"),
+    column("labels not closed or manifold", "labels.not_closed_manifold", count),
+  ];
+}
+
 function contestantColumns() {
   return [
     { title: "Mesh", value: (c) => c.title, show: (c) => c.title },
-    column("surfaces", "surfaces.meshed", surfacesShown, "Surfaces of the scan that have a closed piece of the mesh"),
+    ofLabels ? column("parts", "surfaces.meshed", surfacesShown, "Parts of the labels that have a closed piece of the mesh")
+             : column("surfaces", "surfaces.meshed", surfacesShown, "Surfaces of the scan that have a closed piece of the mesh"),
+    ...(ofLabels ? labelColumns() : []),
     column("vertices", "vertices", count),
     column("under 30°", "angles.share_below_30", percent, "Share of the triangles"),
     column("smallest angle", "angles.min_deg", degrees),
@@ -140,7 +161,7 @@ function showHistograms() {
   for (const [title, key, label] of [
     ["Smallest angle of each triangle", "smallest_angles_deg", "degrees"],
     ["All angles", "angles_deg", "degrees"],
-    ["Distance from the scan’s surface, both ways", "distance_voxels", "voxels"],
+    [`Distance from the ${ofLabels ? "staircase of the voxels" : "scan’s surface"}, both ways`, "distance_voxels", "voxels"],
   ])
     byId("histograms").append(element("div", {}, element("h3", {}, title), histogramChart(title, done, key, label)));
 }
@@ -167,19 +188,20 @@ function showSurfaces(jumpTo) {
   const place = (surface) => surface.center_mm.map((x) => short(x, 4)).join(", ");
   const size = (surface) => surface.size_mm.map((x) => short(x, 2)).join(" × ");
   const columns = [
-    { title: "Surface", value: (s) => s.id },
+    { title: ofLabels ? "Part" : "Surface", value: (s) => s.id },
+    ...(ofLabels ? [{ title: "label", value: (s) => s.label }] : []),
     { title: "voxels", value: (s) => s.voxels, show: (s) => count(s.voxels), hint: "Samples it encloses" },
-    { title: "kind", value: (s) => (s.cavity ? "cavity" : "part") },
+    ...(ofLabels ? [] : [{ title: "kind", value: (s) => (s.cavity ? "cavity" : "part") }]),
     { title: "size mm", value: (s) => Math.hypot(...s.size_mm), show: size },
     { title: "place mm (LPS)", value: place },
-    { title: "genus", value: (s) => s.genus, show: (s) => count(s.genus) },
+    ...(ofLabels ? [] : [{ title: "genus", value: (s) => s.genus, show: (s) => count(s.genus) }]),
     { title: "at the border", value: (s) => (s.touches_border ? "yes" : "no") },
     { title: "meshed by", wide: true, value: (s) => done.length - (lostBy.get(s.id)?.length ?? 0), show: lostText },
-    { title: "view", value: (s) => s.id, show: (s) => element("button", { type: "button", "aria-label": `Show surface ${s.id}`, onclick: () => jumpTo(s) }, "show") },
+    { title: "view", value: (s) => s.id, show: (s) => element("button", { type: "button", "aria-label": `Show ${ofLabels ? "part" : "surface"} ${s.id}`, onclick: () => jumpTo(s) }, "show") },
   ];
   const largestFirst = [...report.surfaces].sort((a, b) => b.voxels - a.voxels);
   const table = sortableTable({
-    caption: "The surfaces of the scan", columns, rows: largestFirst, most: mostRows,
+    caption: byId("surfaces-title").textContent, columns, rows: largestFirst, most: mostRows,
     more: (shown, all) => `${count(shown)} of ${count(all)} are shown; all are in the report.json beside this page.`,
   });
   byId("surface-table").append(table.node);
@@ -244,8 +266,8 @@ function fillLost(selects) {
 }
 
 function showLegend(mode) {
-  const legend = legendOf(mode);
-  if (!legend) return byId("legend").replaceChildren(mode === "piece" ? "Each closed component has a colour; the largest that of bone." : "");
+  const legend = legendOf(mode, ofLabels ? "staircase of the voxels" : "scan’s surface");
+  if (!legend) return byId("legend").replaceChildren(mode !== "piece" ? "" : `Each ${ofLabels ? "label" : "closed component"} has a colour; the largest that of bone.`);
   const marks = element("div", { class: "marks" }, ...legend.marks.map(({ at: place, text }) => element("span", { style: `left: ${100 * place}%` }, text)));
   byId("legend").replaceChildren(element("div", { class: "ramp", style: `background: ${legend.gradient}` }), marks, element("div", {}, legend.unit));
 }
@@ -275,7 +297,7 @@ function showViews() {
     scenes.jumpTo(surface.center_mm, surface.size_mm);
     byId("views").scrollIntoView({ block: "center" });
   };
-  byId("lost").addEventListener("change", ({ target }) => target.value && jumpTo(report.surfaces[Number(target.value)]));
+  byId("lost").addEventListener("change", ({ target }) => target.value && jumpTo(report.surfaces.find(({ id }) => id === Number(target.value))));
   connectTools(scenes);
   return { scenes, jumpTo };
 }

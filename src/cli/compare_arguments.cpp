@@ -167,6 +167,7 @@ void add_compare_arguments(CLI::App& command, CompareArguments& arguments)
         ->type_name("");
     add_surface_options(command, arguments);
     add_criteria(command, arguments);
+    add_label_options(command, arguments.label_map);
     add_contestant_options(command, arguments);
     add_output_options(command, arguments);
     add_read_options(command, arguments.read);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/label_arguments.h"
 #include "cli/mesh_defaults.h"
 #include "cli/output_frame.h"
 #include "io/volume_reader.h"
@@ -35,6 +36,7 @@ struct CompareArguments
     std::optional<double> isovalue = std::nullopt; //!< unset: automatic
     std::optional<InsideIs> inside = std::nullopt; //!< unset: above
     RequestedCriteria criteria;
+    LabelArguments label_map;
 
     std::optional<std::vector<std::string>> contestants = std::nullopt; //!< unset: all
     std::vector<BroughtMesh> with;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "cli/compare_labels.h"
 #include "cli/compare_scan.h"
 #include "cli/summary.h"
 #include "cli/surface_input.h"
@@ -72,7 +73,8 @@ struct Outputs
 ScanReport compare_into(const Outputs& outputs, const CompareArguments& arguments, const fs::path& scan,
                         const std::optional<std::string>& no_pictures)
 {
-    ScanReport report = compare_scan(arguments, scan, outputs.page.stem().string(), no_pictures);
+    const auto compare = arguments.label_map.wanted() ? compare_labels : compare_scan;
+    ScanReport report = compare(arguments, scan, outputs.page.stem().string(), no_pictures);
     for (const auto& [name, picture] : report.pictures)
         write_text(outputs.page.parent_path() / name, picture);
     write_text(outputs.beside(".json"), report.json);
@@ -90,7 +92,10 @@ void check_arguments(const CompareArguments& arguments, const std::vector<fs::pa
     if (arguments.output.empty())
         throw UsageError("--output is required (see voroprobe compare --help)");
     for (const fs::path& scan : scans)
+    {
         check_request({.path = scan, .read = arguments.read});
+        check_compared_labels(arguments, scan);
+    }
     if (scans.size() == 1 && arguments.output.extension() != ".html")
         throw UsageError("--output is '" + arguments.output.string() +
                          "'; allowed: a name that ends in .html");

@@ -1,15 +1,10 @@
 #include "cli/compare_scan.h"
 
 #include <algorithm>
-#include <ctime>
-#include <iostream>
-#include <thread>
 
-#include <unistd.h>
-
-#include "cli/interrupt.h"
+#include "cli/compare_run.h"
 #include "cli/mesh_defaults.h"
-#include "cli/number_text.h"
+#include "cli/status_line.h"
 #include "cli/surface_input.h"
 #include "cli/warnings.h"
 #include "io/mesh_reader.h"
@@ -20,35 +15,6 @@ namespace voroprobe
 
 namespace
 {
-
-//! A line on the terminal that the next one takes the place of.
-class StatusLine
-{
-public:
-    explicit StatusLine(bool shown) : shown_(shown && isatty(STDERR_FILENO) == 1)
-    {
-        if (shown_)
-            set_bar_shown(true);
-    }
-    StatusLine(const StatusLine&) = delete;
-    StatusLine& operator=(const StatusLine&) = delete;
-    ~StatusLine()
-    {
-        if (!shown_)
-            return;
-        std::cerr << kWipeLine << std::flush;
-        set_bar_shown(false);
-    }
-
-    void tell(const std::string& text) const
-    {
-        if (shown_)
-            std::cerr << kWipeLine << text << std::flush;
-    }
-
-private:
-    bool shown_;
-};
 
 SurfaceInput load(const CompareArguments& arguments, const std::filesystem::path& path)
 {
@@ -82,8 +48,7 @@ std::vector<ContestantEntry> entries_of(const CompareArguments& arguments, const
 {
     std::vector<ContestantEntry> entries;
     for (ContestantEntry& entry : all_contestants())
-        if (!arguments.contestants || std::find(arguments.contestants->begin(), arguments.contestants->end(),
-                                                entry.name) != arguments.contestants->end())
+        if (takes_part(arguments, entry.name))
             entries.push_back(std::move(entry));
     for (const BroughtMesh& brought : arguments.with)
     {
@@ -95,53 +60,19 @@ std::vector<ContestantEntry> entries_of(const CompareArguments& arguments, const
     return entries;
 }
 
-std::string today()
-{
-    const std::time_t now = std::time(nullptr);
-    std::tm utc{};
-    gmtime_r(&now, &utc);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%d", &utc);
-    return text;
-}
-
-//! What the shell would have to be given; words with anything else than the usual are quoted.
-std::string command_text(const std::vector<std::string>& words)
-{
-    std::string text;
-    for (const std::string& word : words)
-    {
-        const bool plain =
-            !word.empty() &&
-            word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-                                   "_-./=,:+@%") == std::string::npos;
-        std::string quoted = "'";
-        for (const char c : word)
-            quoted += c == '\'' ? "'\\''" : std::string(1, c);
-        text += (text.empty() ? "" : " ") + (plain ? word : quoted + "'");
-    }
-    return text;
-}
-
 ScanFacts facts_of(const CompareArguments& arguments, const std::filesystem::path& path,
                    const SurfaceInput& input)
 {
-    const std::filesystem::path name =
-        path.filename().empty() ? path.parent_path().filename() : path.filename();
-    return {.name = name.string(),
-            .path = path.string(),
-            .format = input.format,
-            .stored_type = input.stored_type,
-            .size = input.lattice.size,
-            .spacing = input.lattice.spacing,
-            .min = input.min,
-            .max = input.max,
-            .isovalue_source = input.isovalue.source,
-            .warnings = input.warnings,
-            .version = VOROPROBE_VERSION,
-            .command = command_text(arguments.command),
-            .date = today(),
-            .stem = {}};
+    ScanFacts facts = run_facts(arguments, path);
+    facts.format = input.format;
+    facts.stored_type = input.stored_type;
+    facts.size = input.lattice.size;
+    facts.spacing = input.lattice.spacing;
+    facts.min = input.min;
+    facts.max = input.max;
+    facts.isovalue_source = input.isovalue.source;
+    facts.warnings = input.warnings;
+    return facts;
 }
 
 } // namespace
@@ -158,13 +89,9 @@ ScanReport compare_scan(const CompareArguments& arguments, const std::filesystem
                                      .world_from_grid = input.placement.world_from_grid,
                                      .voxel = voxel.mean_side};
     const MeshingTask task = task_of(arguments, input);
-    const CompetitionOptions options{
-        .measuring = {.mesh_samples = arguments.samples, .angle_bound_deg = task.min_facet_angle_deg},
-        .contestant_seconds = arguments.contestant_seconds,
-        .sweep_seconds = arguments.sweep_seconds,
-        .at_once = arguments.at_once.value_or(std::max(1U, std::thread::hardware_concurrency())),
-        .pictures = arguments.pictures && !no_pictures,
-        .tell = [&](const std::string& done) { status.tell(path.string() + ": " + done); }};
+    const CompetitionOptions options =
+        competition_options(arguments, task.min_facet_angle_deg, no_pictures.has_value(),
+                            [&](const std::string& done) { status.tell(path.string() + ": " + done); });
     ScanFacts facts = facts_of(arguments, path, input);
     facts.stem = stem;
     facts.no_pictures = no_pictures;

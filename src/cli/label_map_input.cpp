@@ -7,6 +7,8 @@
 
 #include "cli/label_map.h"
 #include "cli/label_ranges.h"
+#include "cli/mesh_budget.h"
+#include "cli/mesh_defaults.h"
 #include "cli/surface_input.h"
 #include "io/volume_reader.h"
 #include "support/error.h"
@@ -16,6 +18,8 @@ namespace voroprobe
 {
 namespace
 {
+
+constexpr double kDefaultSigmaInMeanSides = 1.0;
 
 void refuse_with_labels(bool given, const std::string& option)
 {
@@ -224,6 +228,22 @@ std::vector<LabelOutcome> chosen_labels(const MeshArguments& arguments, const La
     if (chosen.empty())
         throw UsageError("--exclude leaves none of the labels; there are: " + labels_text(there));
     return chosen;
+}
+
+LabelMeshingOptions label_meshing_options(const MeshArguments& arguments, const LabelMap& map,
+                                          std::size_t threads)
+{
+    const VoxelScale voxel = voxel_scale(map.placement.source_index_from_grid);
+    LabelMeshingOptions options{.criteria = meshing_options(arguments.criteria, voxel),
+                                .smoothing = arguments.label_map.smoothing.value_or(
+                                    LabelSmoothing{.method = SmoothingMethod::kGaussian})};
+    if (arguments.label_map.shared_interfaces)
+        options.smoothing.method = SmoothingMethod::kJoint;
+    options.criteria.max_vertices = std::max<std::size_t>(1, vertices_in_memory() / threads);
+    options.criteria.isolated_vertices = arguments.isolated_vertices;
+    if (options.smoothing.sigma == 0.0)
+        options.smoothing.sigma = kDefaultSigmaInMeanSides * voxel.mean_side;
+    return options;
 }
 
 } // namespace voroprobe

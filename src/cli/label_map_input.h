@@ -19,4 +19,8 @@ LabelMap read_label_map(const MeshArguments& arguments);
 //! those that are; InputError as read_label_table.
 std::vector<LabelOutcome> chosen_labels(const MeshArguments& arguments, const LabelMap& map);
 
+//! What labels are to satisfy; `threads` share the memory there is.
+LabelMeshingOptions label_meshing_options(const MeshArguments& arguments, const LabelMap& map,
+                                          std::size_t threads);
+
 } // namespace voroprobe

@@ -9,7 +9,6 @@
 #include "cli/labels_report.h"
 #include "cli/labels_run.h"
 #include "cli/mesh_budget.h"
-#include "cli/mesh_defaults.h"
 #include "cli/summary.h"
 #include "cli/warnings.h"
 #include "io/mesh_writer.h"
@@ -23,8 +22,6 @@ namespace voroprobe
 namespace
 {
 
-constexpr double kDefaultSigmaInMeanSides = 1.0;
-
 //! What can be told of the output before anything is read.
 MeshFormat check_pattern(const MeshArguments& arguments)
 {
@@ -34,21 +31,6 @@ MeshFormat check_pattern(const MeshArguments& arguments)
     if (arguments.summary)
         check_writable(*arguments.summary);
     return format;
-}
-
-LabelMeshingOptions options_of(const MeshArguments& arguments, const LabelMap& map, std::size_t threads)
-{
-    const VoxelScale voxel = voxel_scale(map.placement.source_index_from_grid);
-    LabelMeshingOptions options{.criteria = meshing_options(arguments.criteria, voxel),
-                                .smoothing = arguments.label_map.smoothing.value_or(
-                                    LabelSmoothing{.method = SmoothingMethod::kGaussian})};
-    if (arguments.label_map.shared_interfaces)
-        options.smoothing.method = SmoothingMethod::kJoint;
-    options.criteria.max_vertices = std::max<std::size_t>(1, vertices_in_memory() / threads);
-    options.criteria.isolated_vertices = arguments.isolated_vertices;
-    if (options.smoothing.sigma == 0.0)
-        options.smoothing.sigma = kDefaultSigmaInMeanSides * voxel.mean_side;
-    return options;
 }
 
 //! \throw UsageError where labels that overlap are to share their interfaces.
@@ -131,7 +113,7 @@ void run_labels_command(const MeshArguments& arguments)
     check_layers(arguments, map);
     print_warnings(map.warnings);
     const std::size_t threads = arguments.threads.value_or(std::max(1U, std::thread::hardware_concurrency()));
-    const LabelMeshingOptions options = options_of(arguments, map, threads);
+    const LabelMeshingOptions options = label_meshing_options(arguments, map, threads);
     LabelsRun run{.arguments = arguments,
                   .map = std::move(map),
                   .options = options,

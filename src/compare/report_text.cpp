@@ -57,10 +57,12 @@ std::string millimetres(const Json& value)
     return short_number(value) + " mm";
 }
 
+//! "171 of 171 surfaces", "31 of 31 parts"
 std::string surfaces(const Json& contestant)
 {
     const Json& found = contestant.at("surfaces");
-    return count_text(found.at("meshed")) + " of " + count_text(found.at("expected")) + " surfaces";
+    return count_text(found.at("meshed")) + " of " + count_text(found.at("expected")) +
+           (contestant.contains("labels") ? " parts" : " surfaces");
 }
 
 std::string vertices(const Json& contestant)
@@ -118,6 +120,29 @@ std::string about_equal_accuracy(const Json& equal)
     return {};
 }
 
+//! "volumes change by 0.49 % at most"
+std::string volume_change(const Json& contestant)
+{
+    return "volumes change by " + percent(contestant.at("labels").at("largest_volume_change")) + " at most";
+}
+
+//! What is said of a label map. Smoothing and decimation are the rule there: who does both is told of.
+std::string label_headline(const Json& report)
+{
+    const Json* ours = find_done(report, kOurs);
+    std::string text = ours == nullptr ? "Voroprobe made no mesh."
+                                       : "Voroprobe has " + surfaces(*ours) + " of " +
+                                             count_text(report.at("input").at("labels")) + " labels in " +
+                                             vertices(*ours) + "; " + volume_change(*ours) + ".";
+    if (const Json* staircase = find_done(report, kReference))
+        text += " Marching cubes takes " + vertices(*staircase) + " for the staircase of the voxels.";
+    if (const Json* usual = find_done(report, kUsualForLabels))
+        text += " Smoothed and decimated it has " + surfaces(*usual) + " in " + vertices(*usual) + "; " +
+                volume_change(*usual) + ", and " + percent(usual->at("angles").at("share_below_30")) +
+                " of its triangles are under 30°.";
+    return text;
+}
+
 //! A column of the tables: its name, and the cell of a contestant that is done.
 struct Column
 {
@@ -130,11 +155,11 @@ std::string yes_or_no(const Json& value)
     return value.get<bool>() ? "yes" : "no";
 }
 
-const std::vector<Column>& columns()
+std::vector<Column> columns(const Json& report)
 {
-    static const std::vector<Column> kColumns{
+    std::vector<Column> columns{
         {"vertices", [](const Json& c) { return count_text(c.at("vertices")); }},
-        {"surfaces",
+        {report.at("input").contains("labels") ? "parts" : "surfaces",
          [](const Json& c) {
              return count_text(c.at("surfaces").at("meshed")) + " of " +
                     count_text(c.at("surfaces").at("expected"));
@@ -148,7 +173,11 @@ const std::vector<Column>& columns()
         {"max mm", [](const Json& c) { return short_number(c.at("distance").at("mm").at("max")); }},
         {"seconds", [](const Json& c) { return short_number(c.at("time").at("cpu_seconds")); }},
     };
-    return kColumns;
+    if (report.at("input").contains("labels"))
+        columns.insert(columns.begin() + 2, {"volume change", [](const Json& c) {
+                                                 return percent(c.at("labels").at("largest_volume_change"));
+                                             }});
+    return columns;
 }
 
 //! Characters, not bytes: the degree sign has two.
@@ -189,6 +218,8 @@ void flatten(const Json& value, const std::string& path,
 
 std::string headline(const nlohmann::ordered_json& report)
 {
+    if (report.at("input").contains("labels"))
+        return label_headline(report);
     const Json* ours = find_done(report, kOurs);
     const Json* reference = find_done(report, kReference);
     std::string text = ours == nullptr ? "Voroprobe made no mesh."
@@ -212,7 +243,7 @@ std::string report_csv(const nlohmann::ordered_json& report)
     }
     std::string text;
     for (const std::string& name : names)
-        text += (text.empty() ? "" : ",") + quoted(name);
+        text.append(text.empty() ? "" : ",").append(quoted(name));
     for (const auto& row : rows)
     {
         text += "\r\n";
@@ -220,7 +251,7 @@ std::string report_csv(const nlohmann::ordered_json& report)
         {
             const auto cell = std::find_if(row.begin(), row.end(),
                                            [&](const auto& entry) { return entry.first == names[i]; });
-            text += (i == 0 ? "" : ",") + (cell == row.end() ? "" : quoted(cell->second));
+            text.append(i == 0 ? "" : ",").append(cell == row.end() ? "" : quoted(cell->second));
         }
     }
     return text + "\r\n";
@@ -230,9 +261,10 @@ std::string report_markdown(const nlohmann::ordered_json& report)
 {
     std::string text = "**" + report.at("headline").get<std::string>() + "**\n\n| |";
     std::string rule = "|---|";
-    for (const Column& column : columns())
+    const std::vector<Column> shown = columns(report);
+    for (const Column& column : shown)
     {
-        text += " " + column.name + " |";
+        text.append(" ").append(column.name).append(" |");
         rule += "--:|";
     }
     text += "\n" + rule + "\n";
@@ -240,11 +272,11 @@ std::string report_markdown(const nlohmann::ordered_json& report)
     {
         text += "| " + contestant.at("title").get<std::string>() + " |";
         if (contestant.at("status") == "done")
-            for (const Column& column : columns())
-                text += " " + column.cell(contestant) + " |";
+            for (const Column& column : shown)
+                text.append(" ").append(column.cell(contestant)).append(" |");
         else
-            text += " " + contestant.at("reason").get<std::string>() + " |" +
-                    std::string(columns().size() - 1, '|');
+            text +=
+                " " + contestant.at("reason").get<std::string>() + " |" + std::string(shown.size() - 1, '|');
         text += "\n";
     }
     return text + "\n`" + report.at("command").get<std::string>() + "`\n";
@@ -253,13 +285,14 @@ std::string report_markdown(const nlohmann::ordered_json& report)
 std::string report_table(const nlohmann::ordered_json& report)
 {
     std::vector<std::vector<std::string>> rows{{""}};
-    for (const Column& column : columns())
+    const std::vector<Column> shown = columns(report);
+    for (const Column& column : shown)
         rows.front().push_back(column.name);
     for (const Json& contestant : report.at("contestants"))
     {
         rows.push_back({contestant.at("title")});
         if (contestant.at("status") == "done")
-            for (const Column& column : columns())
+            for (const Column& column : shown)
                 rows.back().push_back(column.cell(contestant));
     }
     std::vector<std::size_t> widths(rows.front().size(), 0);

@@ -8,6 +8,8 @@
 
 #include "compare/competition.h"
 #include "compare/equal_accuracy.h"
+#include "compare/label_competition.h"
+#include "compare/label_frame.h"
 #include "compare/library_versions.h"
 #include "compare/report_page.h"
 #include "compare/report_text.h"
@@ -26,33 +28,79 @@ Json json_of(const Vec3& v)
     return Json::array({v.x, v.y, v.z});
 }
 
-Json input_json(const ScanFacts& facts, const MeshingTask& task)
+//! What is the same whatever the samples mean.
+Json file_json(const ScanFacts& facts)
 {
-    return {{"name", facts.name},
-            {"path", facts.path},
-            {"format", facts.format},
-            {"type", facts.stored_type},
-            {"size", facts.size},
-            {"spacing_mm", json_of(facts.spacing)},
-            {"min", facts.min},
-            {"max", facts.max},
-            {"isovalue", task.isovalue},
-            {"isovalue_source", facts.isovalue_source},
-            {"inside", task.inside == InsideIs::kAbove ? "above" : "below"},
+    return {{"name", facts.name},        {"path", facts.path}, {"format", facts.format},
+            {"type", facts.stored_type}, {"size", facts.size}, {"spacing_mm", json_of(facts.spacing)},
             {"warnings", facts.warnings}};
 }
 
-Json parameters_json(const MeshingTask& task, const CompetitionOptions& options)
+Json input_json(const ScanFacts& facts, const MeshingTask& task)
+{
+    Json json = file_json(facts);
+    json["min"] = facts.min;
+    json["max"] = facts.max;
+    json["isovalue"] = task.isovalue;
+    json["isovalue_source"] = facts.isovalue_source;
+    json["inside"] = task.inside == InsideIs::kAbove ? "above" : "below";
+    return json;
+}
+
+Json input_json(const ScanFacts& facts, const LabelTask& task)
+{
+    Json json = file_json(facts);
+    json["labels"] = task.labels.size();
+    return json;
+}
+
+Json parameters_json(const Json& criteria, const CompetitionOptions& options)
+{
+    Json json = criteria;
+    json.update({{"samples", options.measuring.mesh_samples},
+                 {"contestant_seconds", options.contestant_seconds},
+                 {"sweep_seconds", options.sweep_seconds},
+                 {"at_once", options.at_once}});
+    return json;
+}
+
+Json criteria_json(const MeshingTask& task)
 {
     return {{"size_mm", task.max_facet_radius},
             {"angle_deg", task.min_facet_angle_deg},
             {"distance_mm", task.max_facet_distance},
             {"floor_mm", task.floor_radius},
-            {"reach_mm", task.reach},
-            {"samples", options.measuring.mesh_samples},
-            {"contestant_seconds", options.contestant_seconds},
-            {"sweep_seconds", options.sweep_seconds},
-            {"at_once", options.at_once}};
+            {"reach_mm", task.reach}};
+}
+
+const char* smoothing_name(SmoothingMethod method)
+{
+    switch (method)
+    {
+    case SmoothingMethod::kNone:
+        return "none";
+    case SmoothingMethod::kGaussian:
+        return "gaussian";
+    case SmoothingMethod::kAntialias:
+        return "antialias";
+    case SmoothingMethod::kJoint:
+        break;
+    }
+    return "joint";
+}
+
+Json criteria_json(const LabelMeshingOptions& options)
+{
+    const MeshingOptions& criteria = options.criteria;
+    Json json = {{"size_mm", criteria.max_facet_radius},
+                 {"angle_deg", criteria.min_facet_angle_deg},
+                 {"distance_mm", criteria.max_facet_distance.value_or(0.0)},
+                 {"floor_mm", criteria.floor_radius},
+                 {"reach_mm", criteria.reach_lower_bound},
+                 {"smoothing", smoothing_name(options.smoothing.method)}};
+    if (options.smoothing.method == SmoothingMethod::kGaussian)
+        json["sigma_mm"] = options.smoothing.sigma;
+    return json;
 }
 
 //! "model name" of the first processor; empty where the system does not tell.
@@ -87,6 +135,32 @@ Json surfaces_json(const ReferenceSurface& reference)
     return list;
 }
 
+//! The parts of the labels, by the names of surfaces: the page lists them alike. Handles of parts are not
+//! counted.
+Json parts_json(const LabelTask& task)
+{
+    Json list = Json::array();
+    for (const std::uint32_t label : task.labels)
+        for (const std::uint32_t id : task.survey->labels()[label].parts)
+        {
+            const LabelPart& part = task.survey->parts()[id];
+            const Box3 box = world_box(task, part.box);
+            const auto& last = part.box.last;
+            const auto& size = task.survey->size();
+            const bool touches_border = part.box.first[0] == 0 || part.box.first[1] == 0 ||
+                                        part.box.first[2] == 0 || last[0] + 1 == size[0] ||
+                                        last[1] + 1 == size[1] || last[2] + 1 == size[2];
+            list.push_back({{"id", id},
+                            {"label", task.survey->labels()[label].value},
+                            {"voxels", part.voxels},
+                            {"cavity", false},
+                            {"touches_border", touches_border},
+                            {"center_mm", json_of(box.center())},
+                            {"size_mm", json_of(box.extent())}});
+        }
+    return list;
+}
+
 Json contestants_json(std::vector<ContestantOutcome>& outcomes, const std::string& stem, ScanReport& result)
 {
     Json contestants = Json::array();
@@ -112,6 +186,29 @@ std::vector<PageView> page_views(const std::vector<ContestantOutcome>& outcomes)
     return views;
 }
 
+//! `particular`: what depends on the kind of input.
+ScanReport assembled(const ScanFacts& facts, const Json& particular, std::vector<ContestantOutcome>& outcomes)
+{
+    ScanReport result;
+    Json report = {{"version", facts.version},
+                   {"headline", ""},
+                   {"command", facts.command},
+                   {"date", facts.date},
+                   {"machine", machine_json()},
+                   {"libraries", library_versions()},
+                   {"pictures_missing", facts.no_pictures ? Json(*facts.no_pictures) : Json(nullptr)}};
+    report.update(particular);
+    report["contestants"] = contestants_json(outcomes, facts.stem, result);
+    result.headline = headline(report);
+    report["headline"] = result.headline;
+    result.json = report.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    result.csv = report_csv(report);
+    result.markdown = report_markdown(report);
+    result.table = report_table(report);
+    result.page = report_page(report, page_views(outcomes));
+    return result;
+}
+
 } // namespace
 
 ScanReport make_scan_report(const ScanFacts& facts, const std::vector<ContestantEntry>& entries,
@@ -121,28 +218,26 @@ ScanReport make_scan_report(const ScanFacts& facts, const std::vector<Contestant
     std::vector<ContestantOutcome> outcomes = compete(entries, task, reference, options);
     const Json equal =
         options.sweep_seconds > 0.0 ? equal_accuracy(outcomes, task, reference, options) : Json(nullptr);
-    ScanReport result;
-    Json report = {{"version", facts.version},
-                   {"headline", ""},
-                   {"command", facts.command},
-                   {"date", facts.date},
-                   {"machine", machine_json()},
-                   {"libraries", library_versions()},
-                   {"input", input_json(facts, task)},
-                   {"parameters", parameters_json(task, options)},
-                   {"voxel_mm", reference.voxel},
-                   {"pictures_missing", facts.no_pictures ? Json(*facts.no_pictures) : Json(nullptr)},
-                   {"surfaces", surfaces_json(reference)},
-                   {"contestants", contestants_json(outcomes, facts.stem, result)},
-                   {"equal_accuracy", equal}};
-    result.headline = headline(report);
-    report["headline"] = result.headline;
-    result.json = report.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-    result.csv = report_csv(report);
-    result.markdown = report_markdown(report);
-    result.table = report_table(report);
-    result.page = report_page(report, page_views(outcomes));
-    return result;
+    return assembled(facts,
+                     {{"input", input_json(facts, task)},
+                      {"parameters", parameters_json(criteria_json(task), options)},
+                      {"voxel_mm", reference.voxel},
+                      {"surfaces", surfaces_json(reference)},
+                      {"equal_accuracy", equal}},
+                     outcomes);
+}
+
+ScanReport make_label_report(const ScanFacts& facts, const std::vector<LabelContestantEntry>& entries,
+                             const LabelTask& task, const CompetitionOptions& options)
+{
+    std::vector<ContestantOutcome> outcomes = compete_on_labels(entries, task, options);
+    return assembled(facts,
+                     {{"input", input_json(facts, task)},
+                      {"parameters", parameters_json(criteria_json(task.options), options)},
+                      {"voxel_mm", task.voxel},
+                      {"surfaces", parts_json(task)},
+                      {"equal_accuracy", nullptr}},
+                     outcomes);
 }
 
 std::string report_index(const std::vector<std::pair<std::string, std::string>>& pages)

@@ -9,6 +9,7 @@
 
 #include "compare/competition_options.h"
 #include "compare/contestant_list.h"
+#include "compare/label_contestant.h"
 #include "compare/reference_surface.h"
 
 namespace voroprobe
@@ -23,9 +24,9 @@ struct ScanFacts
     std::string stored_type;         //!< "int16", ...
     std::array<std::size_t, 3> size; //!< voxels along the axes of the file
     Vec3 spacing;                    //!< mm, likewise
-    double min;                      //!< over the finite samples
-    double max;
-    std::string isovalue_source; //!< "given", "Otsu", ...
+    double min = 0.0;                //!< over the finite samples; not told of label maps, as the next two
+    double max = 0.0;
+    std::string isovalue_source = {}; //!< "given", "Otsu", ...
     std::vector<std::string> warnings;
     std::string version;                                   //!< of this program
     std::string command;                                   //!< that made the report
@@ -50,6 +51,11 @@ struct ScanReport
 ScanReport make_scan_report(const ScanFacts& facts, const std::vector<ContestantEntry>& entries,
                             const MeshingTask& task, const ReferenceSurface& reference,
                             const CompetitionOptions& options);
+
+//! The same of a label map, label by label. Equal accuracy is left out: marching cubes gives the staircase of
+//! the voxels itself, which nobody wants a label's mesh to come near to.
+ScanReport make_label_report(const ScanFacts& facts, const std::vector<LabelContestantEntry>& entries,
+                             const LabelTask& task, const CompetitionOptions& options);
 
 //! A page that lists others, with totals: one row for each, given as its file name and its JSON.
 std::string report_index(const std::vector<std::pair<std::string, std::string>>& pages);

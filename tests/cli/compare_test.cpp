@@ -118,6 +118,39 @@ TEST_F(CompareTest, wrong_usage_is_refused_in_one_line_before_anything_is_run)
     }
 }
 
+TEST_F(CompareTest, a_label_map_is_compared_label_by_label)
+{
+    Phantom labels = ball_phantom();
+    labels.field = [](const Point3& p) {
+        return distance(p, {12, 12, 12}) > 6.0 ? 0.0 : p.x < 12.0 ? 3.0 : 5.0;
+    };
+    write_phantom(labels, folder_ / "labels.mha");
+    const auto outcome = program::run({"compare", folder_ / "labels.mha", "--labels", "all", "-o",
+                                       folder_ / "page.html", "--pictures", "off", "--samples", "500"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_TRUE(outcome.out.starts_with("Voroprobe has 2 of 2 parts of 2 labels in ")) << outcome.out;
+    const auto json = report("page.json");
+    EXPECT_EQ(json.at("contestants").size(), 4U);
+    EXPECT_EQ(json.at("input").at("labels"), 2);
+    EXPECT_FALSE(json.at("input").contains("isovalue"));
+    EXPECT_EQ(json.at("surfaces").at(0).at("label"), 3);
+    EXPECT_TRUE(json.at("equal_accuracy").is_null());
+
+    for (const std::vector<std::string>& wrong :
+         std::vector<std::vector<std::string>>{{"--isovalue", "1"},
+                                               {"--with", "mine=" + folder_ / "page.html"},
+                                               {"--contestants", "openvdb"},
+                                               {"--smooth", "joint"}})
+    {
+        std::vector<std::string> arguments{"compare", folder_ / "labels.mha", "--labels", "all",
+                                           "-o",      folder_ / "other.html"};
+        arguments.insert(arguments.end(), wrong.begin(), wrong.end());
+        const auto refused = program::run(arguments);
+        EXPECT_EQ(refused.status, 2) << testing::PrintToString(wrong);
+        EXPECT_TRUE(is_one_error_line(refused.err)) << refused.err;
+    }
+}
+
 TEST_F(CompareTest, what_is_no_volume_is_refused)
 {
     ASSERT_EQ(program::run(mesh_ball("mine.ply", {"-q"})).status, 0);
