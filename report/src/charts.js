@@ -65,6 +65,19 @@ export function histogramChart(label, contestants, key, xLabel) {
   }, [xs, ...shares]);
 }
 
+// 1, 2 or 5 times a power of ten, below or above: whole powers alone would press the data into a corner.
+function roundNumber(x, side) {
+  const power = 10 ** Math.floor(Math.log10(x));
+  const rounds = [1, 2, 5, 10].map((k) => k * power);
+  return side === "below" ? rounds.filter((r) => r <= x * 1.000001).at(-1) : rounds.find((r) => r >= x * 0.999999);
+}
+
+const aroundAll = (_, low, high) => [roundNumber(low / 1.05, "below"), roundNumber(high * 1.05, "above")];
+
+// Of the ticks between powers of ten those at 1, 2 and 5 are told.
+const isTold = (x) => [1, 2, 5].some((k) => Math.abs(x / 10 ** Math.floor(Math.log10(x * 1.000001)) - k) < 1e-6);
+const toldTicks = { filter: (_, splits) => splits.map((x) => (isTold(x) ? x : null)), values: (_, ticks) => ticks.map((t) => (t === null ? "" : short(t))) };
+
 // Vertices against distance, both logarithmic: every trial is a point.
 export function accuracyChart(label, equal, titles, key, goal) {
   const contestants = [{ name: equal.reference.name, trials: [equal.reference] }, ...equal.contestants]
@@ -72,8 +85,8 @@ export function accuracyChart(label, equal, titles, key, goal) {
   const points = contestants.flatMap((c, i) => c.trials.map((t) => ({ x: t[key], y: t.vertices, i }))).sort((a, b) => a.x - b.x);
   const data = [points.map((p) => p.x), ...contestants.map((_, i) => points.map((p) => (p.i === i ? p.y : null)))];
   return chart(label, {
-    scales: { x: { time: false, distr: 3 }, y: { distr: 3 } },
-    axes: [axis(`${goal}, mm`), { ...axis("vertices"), size: 76, values: (_, ticks) => ticks.map((t) => (t === null ? "" : short(t))) }],
+    scales: { x: { time: false, distr: 3, range: aroundAll }, y: { distr: 3, range: aroundAll } },
+    axes: [{ ...axis(`${goal}, mm`), ...toldTicks }, { ...axis("vertices"), size: 76, ...toldTicks }],
     series: [{ label: `${goal}, mm`, value: (_, v) => (v === null ? "–" : short(v)) },
       ...contestants.map((c, i) => series(c, i, { all: true, options: { spanGaps: true, points: { show: true, size: c.name === "marching_cubes" ? 11 : 7 } } }))],
   }, data);

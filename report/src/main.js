@@ -17,8 +17,9 @@ const ofLabels = report.input.labels !== undefined; // a label map: parts in pla
 
 function showHeadline() {
   const sentences = report.headline.split(/(?<=\.) (?=[A-Z])/);
-  byId("headline").textContent = sentences[0];
-  byId("lead").textContent = sentences.slice(1).join(" ");
+  const kept = (text) => text.replace(/(\d) (mm|%)/g, "$1\u00a0$2"); // a number keeps its unit
+  byId("headline").textContent = kept(sentences[0]);
+  byId("lead").textContent = kept(sentences.slice(1).join(" "));
   const { input } = report;
   byId("scan-name").textContent = ofLabels ? `${input.name}, ${count(input.labels)} labels` : `${input.name}, isovalue ${input.isovalue}`;
   document.title = `${input.name}: Voroprobe and marching cubes`;
@@ -148,6 +149,8 @@ function showEqualAccuracy() {
       { title: "Mesh", value: (c) => titles[c.name] ?? c.name },
       cell("vertices at equal RMS", "at_equal_rms.vertices"), cell("of marching cubes’", "at_equal_rms.of_reference"),
       cell("vertices at equal maximum", "at_equal_max.vertices"), cell("of marching cubes’", "at_equal_max.of_reference"),
+      { title: "meshes tried", value: (c) => c.trials.length },
+      { title: "ended early", wide: true, value: (c) => c.ended_by ?? null, show: (c) => c.ended_by ?? "" },
     ],
     rows: equal.contestants,
   });
@@ -299,6 +302,7 @@ function showViews() {
   };
   byId("lost").addEventListener("change", ({ target }) => target.value && jumpTo(report.surfaces.find(({ id }) => id === Number(target.value))));
   connectTools(scenes);
+  scenes.reset(); // now that the views have a shape
   return { scenes, jumpTo };
 }
 

@@ -7,6 +7,7 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { faceColours } from "./colours.js";
 
 const fieldOfView = 30;
+const margin = 1.04;
 const keySteps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
 // Where the camera stands at first: in front (LPS: y runs to the back), to one side, a little above.
@@ -99,6 +100,17 @@ class View {
   }
 }
 
+function cornersOf({ min, max }) {
+  return [0, 1, 2, 3, 4, 5, 6, 7].map((k) => new Vector3(k & 1 ? max.x : min.x, k & 2 ? max.y : min.y, k & 4 ? max.z : min.z));
+}
+
+// Vertices of a mesh, a few thousand at most.
+function somePoints({ places }) {
+  const vertices = places.length / 3;
+  const step = Math.max(1, Math.floor(vertices / 4000));
+  return Array.from({ length: Math.floor(vertices / step) }, (_, i) => new Vector3(...places.subarray(3 * step * i, 3 * step * i + 3)));
+}
+
 export class Scenes {
   // box: {min, max} of all surfaces, mm.
   constructor(box, mode) {
@@ -131,7 +143,8 @@ export class Scenes {
   }
 
   reset() {
-    this.#look(this.box, firstDirection);
+    const meshes = this.views.filter(({ data }) => data).flatMap(({ data }) => somePoints(data));
+    this.#look(this.box, firstDirection, meshes.length > 0 ? meshes : undefined);
     this.views.forEach((view) => view.mark && (view.mark.visible = false));
     this.draw();
   }
@@ -190,14 +203,29 @@ export class Scenes {
     });
   }
 
-  #look(box, direction) {
-    const radius = 0.5 * box.getSize(new Vector3()).length();
-    const distance = (0.84 * radius) / Math.sin((0.5 * fieldOfView * Math.PI) / 180);
+  // `points`: what has to be seen.
+  #look(box, direction, points = cornersOf(box)) {
     box.getCenter(this.shared.target);
+    const distance = margin * this.#distanceThatShows(points, direction);
     this.camera.position.copy(this.shared.target).addScaledVector(direction, distance);
     this.camera.near = Math.max(distance / 1000, distance - 2 * this.box.getSize(new Vector3()).length());
     this.camera.far = distance + 2 * this.box.getSize(new Vector3()).length();
     this.views.forEach((view) => view.controls.update());
+  }
+
+  // How far from its target the camera has to stand to see all points.
+  #distanceThatShows(points, direction) {
+    const { clientWidth: width = 1, clientHeight: height = 1 } = this.views[0]?.canvas ?? {};
+    const tangent = Math.tan((0.5 * fieldOfView * Math.PI) / 180);
+    const right = new Vector3().crossVectors(this.camera.up, direction).normalize();
+    const up = new Vector3().crossVectors(direction, right);
+    let distance = 0;
+    for (const point of points) {
+      const offset = point.clone().sub(this.shared.target);
+      const away = Math.max(Math.abs(offset.dot(up)), Math.abs(offset.dot(right)) * (height / width)) / tangent;
+      distance = Math.max(distance, offset.dot(direction) + away);
+    }
+    return distance;
   }
 
   #key(event) {

@@ -121,7 +121,7 @@ private:
     [[nodiscard]] std::optional<double> between(const Trial& good, const Trial& bad, Goal goal) const
     {
         const double ratio = bad.factor / good.factor;
-        if (ratio < kSmallestChange * kSmallestChange)
+        if (ratio < kSmallestChange)
             return std::nullopt;
         const double whole = std::log(value(bad, goal) / value(good, goal));
         const double part = std::log(kJustBelow * target(goal) / value(good, goal));
