@@ -126,7 +126,7 @@ void add_contestant_options(CLI::App& command, CompareArguments& arguments)
     group.text(
         "--sweep-seconds", "S",
         "Processor time to run contestants again, to find how many\nvertices they need to be as near to "
-        "the scan as marching cubes; 0\nleaves it out (default 20)",
+        "the scan as marching cubes; 0\nleaves it out (default 16)",
         [&arguments](const std::string& given)
         { arguments.sweep_seconds = parse_number("--sweep-seconds", given, kSecondsOrNone); });
 }

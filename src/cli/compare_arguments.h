@@ -42,7 +42,7 @@ struct CompareArguments
     std::vector<BroughtMesh> with;
     OutputFrame frame = OutputFrame::kLps; //!< of the meshes brought
     double contestant_seconds = 120.0;
-    double sweep_seconds = 20.0; //!< processor time for equal accuracy; 0: left out
+    double sweep_seconds = 16.0; //!< processor time for equal accuracy; 0: left out
     bool pictures = true;
     std::size_t samples = 20000;                       //!< points of each mesh; half as many of the scan
     std::optional<std::size_t> at_once = std::nullopt; //!< unset: as many as there are processors

@@ -41,13 +41,13 @@ void add_label_options(CLI::App& command, LabelArguments& arguments)
                "Mesh each of these labels of a segmentation by itself, in place of\nan isovalue",
                [&arguments](const std::string& given)
                {
-                   LabelRanges("--labels", given); // refuses what it cannot read
+                   const LabelRanges readable("--labels", given); // refuses what it cannot read
                    arguments.labels = given;
                });
     group.text("--exclude", "1,5,7-9", "But for these",
                [&arguments](const std::string& given)
                {
-                   LabelRanges("--exclude", given);
+                   const LabelRanges readable("--exclude", given);
                    arguments.exclude = given;
                });
     group.text("--smooth", "none|gaussian:SIGMA|antialias|joint",

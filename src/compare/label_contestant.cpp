@@ -77,7 +77,8 @@ std::vector<LabelContestantEntry> all_label_contestants()
 {
     return {
         {kOurs, "Voroprobe",
-         "What voroprobe mesh --labels makes: each label smoothed without losing a part, refined, and given the "
+         "What voroprobe mesh --labels makes: each label smoothed without losing a part, refined, and given "
+         "the "
          "volume "
          "of its voxels.",
          [](const LabelTask& task) { return std::make_unique<VoroprobeLabels>(task); }},

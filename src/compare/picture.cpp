@@ -40,7 +40,7 @@ vtkSmartPointer<vtkActor> actor_of(vtkPolyData* surface, Edges edges)
 {
     const auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
     mapper->SetInputData(surface);
-    const auto actor = vtkSmartPointer<vtkActor>::New();
+    auto actor = vtkSmartPointer<vtkActor>::New();
     actor->SetMapper(mapper);
     vtkProperty& look = *actor->GetProperty();
     look.SetColor(0.80, 0.79, 0.76);
@@ -59,7 +59,7 @@ vtkSmartPointer<vtkActor> actor_of(vtkPolyData* surface, Edges edges)
 //! What is at `target`, `height` from top to bottom, mm.
 vtkSmartPointer<vtkRenderer> view_of(vtkActor* actor, const Point3& target, double height, double distance)
 {
-    const auto renderer = vtkSmartPointer<vtkRenderer>::New();
+    auto renderer = vtkSmartPointer<vtkRenderer>::New();
     renderer->SetBackground(1, 1, 1);
     renderer->AddActor(actor);
     vtkCamera& camera = *renderer->GetActiveCamera();

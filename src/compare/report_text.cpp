@@ -205,7 +205,11 @@ void flatten(const Json& value, const std::string& path,
         return;
     if (value.is_object())
         for (const auto& [key, inner] : value.items())
-            flatten(inner, path.empty() ? key : path + '.' + key, cells);
+        {
+            std::string inner_path = path;
+            inner_path.append(path.empty() ? "" : ".").append(key);
+            flatten(inner, inner_path, cells);
+        }
     else if (value.is_array())
         cells.emplace_back(path + ".count", std::to_string(value.size()));
     else

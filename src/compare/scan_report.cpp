@@ -243,6 +243,7 @@ ScanReport make_label_report(const ScanFacts& facts, const std::vector<LabelCont
 std::string report_index(const std::vector<std::pair<std::string, std::string>>& pages)
 {
     std::vector<std::pair<std::string, Json>> parsed;
+    parsed.reserve(pages.size());
     for (const auto& [file, json] : pages)
         parsed.emplace_back(file, Json::parse(json));
     return index_page(parsed);

@@ -23,9 +23,11 @@ constexpr double kFirstDoubtfulLabel = 9007199254740992.0; // 2^53
                                 const std::string& allowed)
 {
     const auto [columns, rows, slices] = geometry.size;
+    const std::size_t row = offset / columns;
+    const std::size_t slice = row / rows;
     const Point3 p_grid{geometry.spacing.x * static_cast<double>(offset % columns),
-                        geometry.spacing.y * static_cast<double>(offset / columns % rows),
-                        geometry.spacing.z * static_cast<double>(offset / columns / rows)};
+                        geometry.spacing.y * static_cast<double>(row % rows),
+                        geometry.spacing.z * static_cast<double>(slice)};
     const Point3 index = geometry.source_index_from_grid * p_grid;
     const auto rounded = [](double x) { return std::to_string(std::lround(x)); };
     throw InputError("not a label map: the sample at index " + rounded(index.x) + ", " + rounded(index.y) +
