@@ -10,6 +10,7 @@ import { chromium } from "playwright-core";
 
 const [program, scan, folder] = process.argv.slice(2);
 const page_file = join(folder, "head.html");
+const label_page_file = join(folder, "labels.html");
 
 const absent = { name: "absent", title: "Absent", description: "One that fails.", status: "failed", reason: "it is <not> installed" };
 
@@ -32,17 +33,32 @@ function makeReport() {
   return addFailure(JSON.parse(readFileSync(join(folder, "head.json"), "utf8")));
 }
 
+// Two blocks that touch, labels 1 and 2, and a speck of label 2 apart.
+function makeLabelReport() {
+  const map = join(folder, "labels.nrrd");
+  const samples = [];
+  for (let k = 0; k < 14; ++k)
+    for (let j = 0; j < 14; ++j)
+      for (let i = 0; i < 28; ++i) {
+        const within = [j, k].every((x) => x >= 3 && x < 11);
+        samples.push(within && i >= 3 && i < 19 ? (i < 11 ? 1 : 2) : i === 24 && j === 5 && k === 5 ? 2 : 0);
+      }
+  writeFileSync(map, `NRRD0004\ntype: uint8\ndimension: 3\nsizes: 28 14 14\nspacings: 1 1 1\nencoding: ascii\n\n${samples.join(" ")}\n`);
+  execFileSync(program, ["compare", map, "--labels", "all", "-o", label_page_file, "--pictures", "off", "--samples", "2000"], { stdio: "pipe" });
+  return JSON.parse(readFileSync(label_page_file.replace(/html$/, "json"), "utf8"));
+}
+
 const tests = [];
 const test = (name, run) => tests.push([name, run]);
 
-async function open(browser, options = {}) {
+async function open(browser, options = {}, file = page_file) {
   const context = await browser.newContext({ viewport: { width: 1360, height: 900 }, colorScheme: "light", ...options });
   const page = await context.newPage();
   page.seen = { requests: [], errors: [] };
   page.on("request", (request) => page.seen.requests.push(request.url()));
   page.on("console", (message) => ["error", "warning"].includes(message.type()) && page.seen.errors.push(message.text()));
   page.on("pageerror", (error) => page.seen.errors.push(String(error)));
-  await page.goto(pathToFileURL(page_file).href);
+  await page.goto(pathToFileURL(file).href);
   await page.waitForFunction(() => document.documentElement.dataset.ready === "yes");
   await settle(page);
   return page;
@@ -201,6 +217,25 @@ test("a phone shows it without scrolling sideways, dark and light differ", async
   assert.notEqual(dark, light);
   assert.deepEqual(phone.seen.errors.filter((text) => !text.includes("GPU stall")), []);
   await phone.context().close();
+});
+
+test("of a label map the parts are listed, by label", async ({ browser }) => {
+  const labels = makeLabelReport();
+  const page = await open(browser, {}, label_page_file);
+  assert.deepEqual(page.seen.errors.filter((text) => !text.includes("GPU stall")), []);
+  for (const image of await pixels(page)) assert.ok(colours(image) > 20);
+  assert.match(await page.textContent("#headline"), /^Voroprobe has 3 of 3 parts of 2 labels /);
+  assert.equal(await page.locator("#surface-table tbody tr").count(), 3);
+  const heads = await page.$$eval("#surface-table thead button", (buttons) => buttons.map((b) => b.textContent));
+  assert.deepEqual(heads.slice(0, 3), ["Part", "label", "voxels"]);
+  const changes = await page.$$eval("[data-path='labels.largest_volume_change']", (cells) => cells.map((c) => Number(c.dataset.value)));
+  assert.deepEqual(changes, labels.contestants.map((c) => c.labels.largest_volume_change));
+  assert.equal(await page.locator("#equal").count(), 0);
+  await page.locator("#surface-table button", { hasText: "show" }).last().click();
+  await page.selectOption("#mode", "piece");
+  await settle(page);
+  await page.screenshot({ path: join(folder, "labels.png"), fullPage: true });
+  await page.context().close();
 });
 
 test("without WebGL the figures are still there", async ({ browser }) => {
