@@ -60,7 +60,11 @@ constexpr double kBeyond = 1.15;
 constexpr double kJustBelow = 0.99;
 
 //! And keeps this share of the way between them from either, or a bent curve would be followed in tiny steps.
-constexpr double kLeastShareOfWay = 0.1;
+//! Largest distances, each that of a single place, follow no line: they are sought by halving, nearly.
+double least_share_of_way(Goal goal)
+{
+    return goal == Goal::kMax ? 0.25 : 0.1;
+}
 
 //! The search ends where the next trial would change the factor by less: its vertices by 3 %.
 constexpr double kSmallestChange = 1.015;
@@ -125,8 +129,8 @@ private:
             return std::nullopt;
         const double whole = std::log(value(bad, goal) / value(good, goal));
         const double part = std::log(kJustBelow * target(goal) / value(good, goal));
-        return good.factor *
-               std::pow(ratio, std::clamp(part / whole, kLeastShareOfWay, 1.0 - kLeastShareOfWay));
+        const double least = least_share_of_way(goal);
+        return good.factor * std::pow(ratio, std::clamp(part / whole, least, 1.0 - least));
     }
 
     [[nodiscard]] std::optional<double> beyond(const Trial& trial, Goal goal, double aim) const

@@ -18,7 +18,7 @@ namespace
 
 vtkSmartPointer<vtkImageData> image_of(const PeerField& field)
 {
-    const auto image = vtkSmartPointer<vtkImageData>::New();
+    auto image = vtkSmartPointer<vtkImageData>::New();
     image->SetDimensions(static_cast<int>(field.size[0]), static_cast<int>(field.size[1]),
                          static_cast<int>(field.size[2]));
     image->SetSpacing(field.spacing.x, field.spacing.y, field.spacing.z);
@@ -85,7 +85,7 @@ vtkSmartPointer<vtkPolyData> to_polydata(const TriangleMesh& mesh)
                             3 * static_cast<vtkIdType>(mesh.faces.size()));
     for (const TriangleMesh::Face& face : mesh.faces)
         polygons->InsertNextCell({face[0], face[1], face[2]});
-    const auto surface = vtkSmartPointer<vtkPolyData>::New();
+    auto surface = vtkSmartPointer<vtkPolyData>::New();
     surface->SetPoints(points);
     surface->SetPolys(polygons);
     return surface;

@@ -140,7 +140,8 @@ TEST_F(CompareTest, a_label_map_is_compared_label_by_label)
          std::vector<std::vector<std::string>>{{"--isovalue", "1"},
                                                {"--with", "mine=" + folder_ / "page.html"},
                                                {"--contestants", "openvdb"},
-                                               {"--smooth", "joint"}})
+                                               {"--smooth", "joint"},
+                                               {"--names", "names.txt"}})
     {
         std::vector<std::string> arguments{"compare", folder_ / "labels.mha", "--labels", "all",
                                            "-o",      folder_ / "other.html"};

@@ -89,7 +89,7 @@ TEST(LabelMeasurement, a_part_that_was_taken_away_is_missing_with_its_size_and_p
     ASSERT_EQ(json.at("surfaces").at("missing").size(), 1U);
     const auto& missing = json.at("surfaces").at("missing").at(0);
     EXPECT_EQ(missing.at("voxels"), 27);
-    EXPECT_EQ(missing.at("center_mm"), (nlohmann::json{21.0, 4.0, 4.0}));
+    EXPECT_EQ(missing.at("center_mm"), (nlohmann::ordered_json{21.0, 4.0, 4.0}));
     EXPECT_NEAR(json.at("labels").at("largest_volume_change").get<double>(), 27.0 / 243.0, 1e-12);
     // As near as the mesh comes to the far side of the part: from 14.5 to 22.5.
     EXPECT_GT(json.at("distance").at("mm").at("max").get<double>(), 7.5);
