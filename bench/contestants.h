@@ -21,6 +21,7 @@ struct Entry
 inline std::vector<Entry> all_contestants()
 {
     return {{"voroprobe", make_voroprobe},
+            {"refinement", make_voroprobe_refinement},
             {"surface_mesher",
              [](const MeshingTask& task) { return make_surface_mesher(task, FirstPoints::kSeeded); }},
             {"mesh_3", [](const MeshingTask& task) { return make_mesh_3(task, Mesh3Seeding::kDefault); }},

@@ -65,7 +65,7 @@ void add_options(CLI::App& app, Options& options)
         ->capture_default_str();
     app.add_option("--peers", options.contestants, "contestants, the first is the reference of the ratios")
         ->delimiter(',')
-        ->default_str("voroprobe,surface_mesher,mesh_3,mesh_3_scan");
+        ->default_str("voroprobe,refinement,surface_mesher,mesh_3,mesh_3_scan");
     app.add_option("--repeat", options.repeat, "timed runs of each, interleaved; the median counts")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();

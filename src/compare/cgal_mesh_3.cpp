@@ -11,6 +11,7 @@
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
+#include <CGAL/Random.h>
 #include <CGAL/make_mesh_3.h>
 #include <CGAL/refine_mesh_3.h>
 
@@ -28,6 +29,8 @@ using Domain = CGAL::Labeled_mesh_domain_3<Kernel>;
 using Triangulation = CGAL::Mesh_triangulation_3<Domain, CGAL::Default, CGAL::Sequential_tag>::type;
 using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
 using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
+
+constexpr unsigned kRandomSeed = 1; // CGAL takes the time of day otherwise: another mesh each time
 
 CGAL::Image_3 make_image(const PeerField& field)
 {
@@ -69,6 +72,7 @@ public:
 
     void mesh(StageClock& clock) override
     {
+        CGAL::get_default_random() = CGAL::Random(kRandomSeed);
         namespace p = CGAL::parameters;
         const SilencedOutput silenced;
         clock.begin("domain");

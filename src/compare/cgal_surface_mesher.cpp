@@ -5,6 +5,7 @@
 
 #include <CGAL/Complex_2_in_triangulation_3.h>
 #include <CGAL/Implicit_surface_3.h>
+#include <CGAL/Random.h>
 #include <CGAL/Surface_mesh_default_criteria_3.h>
 #include <CGAL/Surface_mesh_default_triangulation_3.h>
 #include <CGAL/make_surface_mesh.h>
@@ -22,6 +23,7 @@ using Triangulation = CGAL::Surface_mesh_default_triangulation_3;
 using Complex = CGAL::Complex_2_in_triangulation_3<Triangulation>;
 using Kernel = Triangulation::Geom_traits;
 
+constexpr unsigned kRandomSeed = 1;         // CGAL takes the time of day otherwise: another mesh each time
 constexpr std::size_t kSeedsPerRegion = 20; // as many as CGAL's scan for Mesh_3 shoots rays
 
 //! -1 inside and +1 outside the isosurface of the trilinear interpolant; the mesher looks at signs only.
@@ -81,6 +83,7 @@ public:
 
     void mesh(StageClock& clock) override
     {
+        CGAL::get_default_random() = CGAL::Random(kRandomSeed);
         if (points_ == FirstPoints::kSeeded)
         {
             clock.begin("seeds");

@@ -52,6 +52,10 @@ public:
 //! Voroprobe, one thread, the inventory included.
 std::unique_ptr<Contestant> make_voroprobe(const MeshingTask& task);
 
+//! Our refinement alone, as the others refine: no inventory, so that no surface is looked for, held apart
+//! from another or given its handles.
+std::unique_ptr<Contestant> make_voroprobe_refinement(const MeshingTask& task);
+
 //! Where the surface mesher gets its first points.
 enum class FirstPoints
 {

@@ -8,24 +8,29 @@ namespace voroprobe
 namespace
 {
 
-//! What `voroprobe mesh` does to a volume on one thread: the inventory is part of the time.
+//! What `voroprobe mesh` does to a volume on one thread: the inventory is part of the time. Or its refinement
+//! alone.
 class Voroprobe final : public Contestant
 {
 public:
-    explicit Voroprobe(const MeshingTask& task) : task_(task) {}
+    Voroprobe(const MeshingTask& task, bool whole) : task_(task), whole_(whole) {}
 
     void mesh(StageClock& clock) override
     {
-        clock.begin("inventory");
+        std::shared_ptr<const Inventory> inventory;
+        if (whole_)
+            clock.begin("inventory");
         const LevelledVolume levelled = level_volume(task_.volume, task_.isovalue, task_.inside);
-        const auto inventory = std::make_shared<const Inventory>(*make_height_field(levelled), 1);
+        if (whole_)
+            inventory = std::make_shared<const Inventory>(*make_height_field(levelled), 1);
         const auto oracle = make_trilinear_oracle(levelled, inventory);
         clock.begin("refinement");
         mesh_ = mesh_surface(*oracle, {.max_facet_radius = task_.max_facet_radius,
                                        .max_facet_distance = task_.max_facet_distance,
                                        .min_facet_angle_deg = task_.min_facet_angle_deg,
                                        .floor_radius = task_.floor_radius,
-                                       .reach_lower_bound = task_.reach})
+                                       .reach_lower_bound = task_.reach,
+                                       .seeding = whole_ ? Seeding::kInventory : Seeding::kIsolated})
                     .mesh;
     }
 
@@ -33,6 +38,7 @@ public:
 
 private:
     MeshingTask task_;
+    bool whole_;
     TriangleMesh mesh_;
 };
 
@@ -40,7 +46,12 @@ private:
 
 std::unique_ptr<Contestant> make_voroprobe(const MeshingTask& task)
 {
-    return std::make_unique<Voroprobe>(task);
+    return std::make_unique<Voroprobe>(task, true);
+}
+
+std::unique_ptr<Contestant> make_voroprobe_refinement(const MeshingTask& task)
+{
+    return std::make_unique<Voroprobe>(task, false);
 }
 
 } // namespace voroprobe
