@@ -19,7 +19,7 @@ set(public_headers
     src/support/error.h src/support/progress.h
     src/geometry/vec3.h src/geometry/segment3.h src/geometry/box3.h src/geometry/affine_transform.h
     src/geometry/oriented_point.h
-    src/volume/region.h src/volume/level.h src/volume/grid_geometry.h src/volume/volume.h src/volume/statistics.h
+    src/volume/region.h src/volume/neck.h src/volume/surface_point.h src/volume/level.h src/volume/grid_geometry.h src/volume/volume.h src/volume/statistics.h
     src/volume/lattice_frame.h src/volume/height_field.h src/volume/region_runs.h src/volume/inventory.h
     src/mesh/triangle_mesh.h src/mesh/topology.h src/mesh/measures.h src/mesh/mesh_part.h
     oracles/surface_oracle.h oracles/trilinear_oracle.h oracles/vdb_oracle.h oracles/implicit_oracle.h

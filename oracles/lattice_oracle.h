@@ -14,6 +14,8 @@
 #include "volume/cell_topology.h"
 #include "volume/inventory.h"
 #include "volume/lattice_frame.h"
+#include "volume/necks.h"
+#include "volume/spread_crossings.h"
 #include "volume/trilinear_cell.h"
 
 namespace voroprobe
@@ -115,6 +117,21 @@ public:
     {
         return bricks_ ? grid_crossings(*regions_.heights, *regions_.inventory, surfaces, most)
                        : SurfaceOracle::points_on(surfaces, most);
+    }
+    [[nodiscard]] std::vector<SurfacePoint> points_in_cubes(double side, std::size_t threads) const override
+    {
+        return bricks_ ? spread_crossings(*regions_.heights, *regions_.inventory, side, threads)
+                       : SurfaceOracle::points_in_cubes(side, threads);
+    }
+    [[nodiscard]] int euler_characteristic(SurfaceId surface) const override
+    {
+        return bricks_
+                   ? regions_.inventory->surfaces()[static_cast<std::size_t>(surface)].euler_characteristic
+                   : SurfaceOracle::euler_characteristic(surface);
+    }
+    [[nodiscard]] std::vector<Neck> necks() const override
+    {
+        return bricks_ ? find_necks(*regions_.heights, *regions_.inventory) : SurfaceOracle::necks();
     }
 
 private:

@@ -6,7 +6,9 @@
 
 #include "geometry/box3.h"
 #include "geometry/segment3.h"
+#include "volume/neck.h"
 #include "volume/region.h"
+#include "volume/surface_point.h"
 
 namespace voroprobe
 {
@@ -80,6 +82,21 @@ public:
     {
         return std::vector<std::vector<Point3>>(surfaces.size());
     }
+
+    //! Points spread over all surfaces: of each one in every cube of this side (scan units) that it passes,
+    //! but for cubes that it only just enters. `threads`: 0 for all there are; the answer is the same for
+    //! any.
+    [[nodiscard]] virtual std::vector<SurfacePoint> points_in_cubes(double /*side*/,
+                                                                    std::size_t /*threads*/) const
+    {
+        return {};
+    }
+
+    //! 2 - 2 genus of a surface of the inventory.
+    [[nodiscard]] virtual int euler_characteristic(SurfaceId /*surface*/) const { return 2; }
+
+    //! Where the scan joins two parts of a region by a hair.
+    [[nodiscard]] virtual std::vector<Neck> necks() const { return {}; }
 };
 
 } // namespace voroprobe

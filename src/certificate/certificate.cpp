@@ -1,9 +1,12 @@
 #include "certificate/certificate.h"
 
 #include <algorithm>
+#include <map>
 
 #include "certificate/complaints.h"
+#include "certificate/kept_surfaces.h"
 #include "certificate/mesh_pieces.h"
+#include "certificate/mesh_sides.h"
 #include "certificate/self_intersections.h"
 #include "certificate/surface_assignment.h"
 #include "support/check.h"
@@ -60,7 +63,9 @@ public:
         for (SurfaceId id = 0; id < static_cast<SurfaceId>(surfaces_.size()); ++id)
             if (expected_[static_cast<std::size_t>(id)])
                 judge_surface(id);
+        find_places_of_mismatches();
         list_foreign_pieces();
+        list_lost_parts();
         judge_topology();
         measure();
         return std::move(certificate_);
@@ -168,7 +173,37 @@ private:
             euler_characteristic += pieces_.pieces[piece].euler_characteristic;
         if (euler_characteristic != surface.euler_characteristic)
             certificate_.genus_mismatches.push_back(
-                {id, surface.euler_characteristic, euler_characteristic, surface.box});
+                {id, surface.euler_characteristic, euler_characteristic, surface.box, {}});
+    }
+
+    void find_places_of_mismatches()
+    {
+        if (certificate_.genus_mismatches.empty())
+            return;
+        std::map<SurfaceId, GenusMismatch*> mismatch_of;
+        for (GenusMismatch& mismatch : certificate_.genus_mismatches)
+            mismatch_of[mismatch.id] = &mismatch;
+        std::vector<Neck> necks = oracle_.necks();
+        std::erase_if(necks,
+                      [&](const Neck& neck)
+                      {
+                          return std::none_of(neck.surfaces.begin(), neck.surfaces.end(),
+                                              [&](SurfaceId id) { return mismatch_of.contains(id); });
+                      });
+        std::vector<Point3> middles;
+        for (const Neck& neck : necks)
+            middles.push_back(neck.middle);
+        const std::vector<bool> enclosed = enclosed_by(mesh_, middles);
+        for (std::size_t n = 0; n < necks.size(); ++n)
+        {
+            if (enclosed[n] == is_inside(necks[n].region))
+                continue;
+            for (const SurfaceId id : necks[n].surfaces)
+            {
+                if (const auto found = mismatch_of.find(id); found != mismatch_of.end())
+                    found->second->places.push_back(necks[n].middle);
+            }
+        }
     }
 
     void list_foreign_pieces()
@@ -177,6 +212,18 @@ private:
             if (surface_of_piece_[piece] == kNoSurface)
                 certificate_.foreign.push_back(
                     {piece, pieces_.pieces[piece].faces, pieces_.pieces[piece].box});
+    }
+
+    void list_lost_parts()
+    {
+        std::vector<SurfaceId> surface_of_face;
+        surface_of_face.reserve(mesh_.faces.size());
+        for (const std::uint32_t piece : pieces_.piece_of_face)
+            surface_of_face.push_back(surface_of_piece_[piece]);
+        certificate_.lost_parts = find_lost_parts(mesh_, surface_of_face, oracle_, options_.reach,
+                                                  options_.floor_radius.value_or(0.25 * options_.reach));
+        std::erase_if(certificate_.lost_parts, [&](const LostPart& part)
+                      { return !expected_[static_cast<std::size_t>(part.surface)]; });
     }
 
     void judge_topology()
@@ -202,14 +249,18 @@ private:
         Box3 box;
         for (std::size_t id = 0; id < surfaces_.size(); ++id)
         {
+            if (!expected_[id])
+                continue;
             box.include(surfaces_[id].box.min);
             box.include(surfaces_[id].box.max);
-            if (expected_[id] && !may_end_at_border(surfaces_[id])) // its point may be one of a cap
+            if (!may_end_at_border(surfaces_[id])) // its point may be one of a cap
                 surface_points.push_back(surfaces_[id].point);
         }
         sampling.box = box.empty() ? std::nullopt : std::optional(box);
-        certificate_.distance = surface_distance(mesh_, oracle_, sampling, surface_points);
-        certificate_.criteria_exceptions = count_exceptions(mesh_, oracle_, options_.criteria);
+        const KeptSurfaces kept(oracle_, expected_);
+        const SurfaceOracle& expected = certificate_.dropped.empty() ? oracle_ : kept;
+        certificate_.distance = surface_distance(mesh_, expected, sampling, surface_points);
+        certificate_.criteria_exceptions = count_exceptions(mesh_, expected, options_.criteria);
     }
 
     [[nodiscard]] MissingSurface entry(SurfaceId id, const std::string& reason) const
@@ -247,6 +298,11 @@ std::optional<std::string> broken_promise(const Certificate& certificate)
     complaints.add(certificate.split.size(), "surface in several pieces", "surfaces in several pieces");
     complaints.add(certificate.foreign.size(), "piece on no surface of the scan",
                    "pieces on no surface of the scan");
+    complaints.add(
+        static_cast<std::size_t>(std::count_if(certificate.lost_parts.begin(), certificate.lost_parts.end(),
+                                               [](const LostPart& part) { return !part.is_hair(); })),
+        "surface with a part that the mesh does not come to",
+        "surfaces with parts that the mesh does not come to");
     complaints.add(certificate.closed ? 0 : topology.boundary_edges, "edge on one face only",
                    "edges on one face only");
     complaints.add(topology.degenerate_faces, "face that names a vertex twice",

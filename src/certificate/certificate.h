@@ -1,13 +1,16 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "certificate/criteria_exceptions.h"
+#include "certificate/lost_parts.h"
 #include "certificate/surface_distance.h"
 #include "mesh/topology.h"
 #include "mesh/triangle_mesh.h"
@@ -41,6 +44,10 @@ struct GenusMismatch
     long expected_euler_characteristic;
     long mesh_euler_characteristic; //!< of all its pieces together
     Box3 box;
+
+    //! Bridges and tunnels of the scan that lie on the wrong side of the mesh: where handles are lost or
+    //! made, if they are not larger than a voxel. Necks beside which nothing is amiss may be among them.
+    std::vector<Point3> places;
 };
 
 //! A piece of the mesh that lies on no surface of the scan.
@@ -62,6 +69,10 @@ struct CertificateOptions
 {
     //! Vertices farther from the surface lie on none, scan units, > 0; a voxel or two.
     double reach;
+
+    //! The mesher's floor: parts of the scan thinner than twice this, scan units, need not be there. Unset: a
+    //! quarter of the reach.
+    std::optional<double> floor_radius = std::nullopt;
 
     //! Whether caps close the object on the border of the volume; else a piece may end there.
     BorderCaps caps = BorderCaps::kCounted;
@@ -88,6 +99,7 @@ struct Certificate
     std::vector<MissingSurface> dropped;
     std::vector<SplitSurface> split;
     std::vector<ForeignPiece> foreign;
+    std::vector<LostPart> lost_parts; //!< of surfaces that are meshed otherwise
     std::vector<GenusMismatch> genus_mismatches;
 
     MeshTopology topology;
@@ -99,8 +111,12 @@ struct Certificate
     SurfaceDistance distance;
     CriteriaExceptions criteria_exceptions;
 
-    //! Surfaces of the scan and pieces of the mesh correspond one to one.
-    [[nodiscard]] bool complete() const { return missing.empty() && split.empty() && foreign.empty(); }
+    //! Surfaces of the scan and pieces of the mesh correspond one to one, but for hairs from end to end.
+    [[nodiscard]] bool complete() const
+    {
+        return missing.empty() && split.empty() && foreign.empty() &&
+               std::all_of(lost_parts.begin(), lost_parts.end(), std::mem_fn(&LostPart::is_hair));
+    }
     [[nodiscard]] bool manifold() const { return topology.manifold(); }
     [[nodiscard]] bool oriented() const { return topology.oriented() && surfaces_inside_out == 0; }
 };

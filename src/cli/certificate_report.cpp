@@ -35,6 +35,13 @@ std::string place_text(const Box3& box, const AffineTransform& shown_from_oracle
     return "around " + triple_text(shown_from_oracle * box.center(), ", ") + " mm";
 }
 
+std::string places_text(const std::vector<Point3>& places, const AffineTransform& shown_from_oracle)
+{
+    return places.empty() ? ""
+                          : "; " + count_text(places.size()) + " necks of it on the wrong side, one at " +
+                                triple_text(shown_from_oracle * places.front(), ", ") + " mm";
+}
+
 std::string counts_text(const Certificate& certificate)
 {
     return count_text(certificate.surfaces_expected) + " in the scan, " +
@@ -144,7 +151,9 @@ Json mismatches_json(const std::vector<GenusMismatch>& mismatches, const AffineT
                              {"id", mismatch.id},
                              {"expected_euler_characteristic", mismatch.expected_euler_characteristic},
                              {"mesh_euler_characteristic", mismatch.mesh_euler_characteristic},
-                             {"box_mm", json_of(mismatch.box, shown_from_oracle)}};
+                             {"box_mm", json_of(mismatch.box, shown_from_oracle)},
+                             {"places_mm", list_json(mismatch.places, [&](const Point3& place)
+                                                     { return json_of(shown_from_oracle * place); })}};
                      });
 }
 
@@ -162,14 +171,22 @@ std::string certificate_lines(const Certificate& certificate, const AffineTransf
         return "surface " + std::to_string(surface.id) + " (" + place_text(surface.box, shown_from_oracle) +
                "): " + count_text(surface.pieces) + " pieces";
     };
+    const auto lost_text = [&](const LostPart& part)
+    {
+        return "surface " + std::to_string(part.surface) + ": the mesh does not come to a " +
+               (part.is_hair() ? "hair" : "part") + " of it, as at " +
+               triple_text(shown_from_oracle * part.place, ", ") + " mm";
+    };
     const auto mismatch_text = [&](const GenusMismatch& mismatch)
     {
         return "surface " + std::to_string(mismatch.id) + " (" + place_text(mismatch.box, shown_from_oracle) +
                "): Euler characteristic " + std::to_string(mismatch.mesh_euler_characteristic) +
-               ", in the scan " + std::to_string(mismatch.expected_euler_characteristic);
+               ", in the scan " + std::to_string(mismatch.expected_euler_characteristic) +
+               places_text(mismatch.places, shown_from_oracle);
     };
     return info_line("surfaces", counts_text(certificate)) + list_lines(certificate.missing, missing_text) +
-           list_lines(certificate.split, split_text) + info_line("handles", genus_text(certificate)) +
+           list_lines(certificate.split, split_text) + list_lines(certificate.lost_parts, lost_text) +
+           info_line("handles", genus_text(certificate)) +
            list_lines(certificate.genus_mismatches, mismatch_text) +
            info_line("distance", "from the mesh " + distance_text(certificate.distance.from_mesh)) +
            info_line("", "from the scan " + distance_text(certificate.distance.from_surface)) +
@@ -198,6 +215,14 @@ Json certificate_json(const Certificate& certificate, const AffineTransform& sho
                                                   {"faces", piece.faces},
                                                   {"box_mm", json_of(piece.box, shown_from_oracle)}};
                                   })},
+            {"lost_parts", list_json(certificate.lost_parts,
+                                     [&](const LostPart& part)
+                                     {
+                                         return Json{{"id", part.surface},
+                                                     {"points", part.points},
+                                                     {"hair", part.is_hair()},
+                                                     {"place_mm", json_of(shown_from_oracle * part.place)}};
+                                     })},
             {"genus_mismatches", mismatches_json(certificate.genus_mismatches, shown_from_oracle)},
             {"closed", certificate.closed},
             {"manifold", certificate.manifold()},

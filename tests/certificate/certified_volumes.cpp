@@ -25,7 +25,8 @@ std::optional<std::string> what_is_wrong_with_the_mesh_of(const RandomVolume& ra
                                                         .reach_lower_bound = 0.5 * voxel});
     const TriangleMesh mesh = weld(result.mesh);
     const Certificate certificate =
-        certify(mesh, *oracle, inventory->surfaces(), {.reach = voxel, .test_self_intersections = false},
+        certify(mesh, *oracle, inventory->surfaces(),
+                {.reach = voxel, .floor_radius = 0.25 * voxel, .test_self_intersections = false},
                 std::span<const SurfaceId>(result.surface_of_face));
     if (auto broken = broken_promise(certificate))
         return broken;
