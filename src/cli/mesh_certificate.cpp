@@ -50,6 +50,9 @@ void drop(const std::vector<DroppedSurface>& dropped, std::size_t surface_count,
     }
     result.mesh = with_faces(result.mesh, kept);
     result.surface_of_face = std::move(surface_of_face);
+    std::erase_if(
+        result.pieces, [&](const FoundPiece& piece)
+        { return piece.surface != kNoSurface && is_dropped[static_cast<std::size_t>(piece.surface)]; });
     if (result.mesh.faces.empty())
         throw EmptySurfaceError("all " + std::to_string(surface_count) +
                                 " surfaces of the scan are left out by --min-component-volume, "
@@ -66,7 +69,7 @@ void check_selection(const MeshArguments& arguments, const SurfaceInput& input)
                          input.format);
 }
 
-std::vector<DroppedSurface> drop_unwanted(const MeshRun& run, MeshingResult& result)
+std::vector<DroppedSurface> drop_unwanted(MeshRun& run, MeshingResult& result)
 {
     const SurfaceInput& input = run.input;
     if (!input.inventory || run.status == RunStatus::kPartial)
@@ -74,7 +77,10 @@ std::vector<DroppedSurface> drop_unwanted(const MeshRun& run, MeshingResult& res
     std::vector<DroppedSurface> dropped =
         surfaces_to_drop(input.inventory->surfaces(), voxel_volume(input), run.arguments.selection);
     if (!dropped.empty())
+    {
         drop(dropped, input.inventory->surfaces().size(), result);
+        count_found_pieces(result.pieces, run.statistics);
+    }
     return dropped;
 }
 
@@ -104,6 +110,7 @@ void certify_mesh(MeshRun& run, const MeshingResult& result, const std::vector<D
         surface_of_face = std::nullopt;
     run.certificate = certify(result.mesh, *input.oracle, input.inventory->surfaces(),
                               {.reach = kReachInVoxels * voxel.mean_side,
+                               .floor_radius = run.options.floor_radius,
                                .caps = run.options.close_border ? BorderCaps::kCounted : BorderCaps::kLeftOut,
                                .criteria = {.min_angle_deg = run.options.min_facet_angle_deg,
                                             .max_radius = run.options.max_facet_radius,

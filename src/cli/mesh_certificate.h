@@ -11,7 +11,7 @@ namespace voroprobe
 
 //! Takes the surfaces that the user does not want off the mesh. Does nothing where the surfaces of the input
 //! cannot be listed, or the run is partial. \throw EmptySurfaceError where nothing would be left.
-std::vector<DroppedSurface> drop_unwanted(const MeshRun& run, MeshingResult& result);
+std::vector<DroppedSurface> drop_unwanted(MeshRun& run, MeshingResult& result);
 
 //! The steps on the shape that the user asks for; relaxation keeps to the surface of the input. Whose face is
 //! whose is not known after it. \throw Error kIncomplete where a step would break a promise.

@@ -176,9 +176,11 @@ Json work_json(const MeshingStatistics& statistics)
     return {{"insertions", statistics.insertions},
             {"stale_queue_entries", statistics.stale_queue_entries},
             {"facets_at_floor", statistics.facets_at_floor},
+            {"uncovered_points", statistics.uncovered_points},
             {"cells_reconciled", statistics.cells_reconciled},
             {"crumbs_dissolved", statistics.crumbs_dissolved},
             {"necks_bridged", statistics.necks_bridged},
+            {"handles_mended", statistics.handles_mended},
             {"cells_relabelled", statistics.cells_relabelled},
             {"contacts_separated", statistics.contacts_separated},
             {"contacts_carved", statistics.contacts_carved}};

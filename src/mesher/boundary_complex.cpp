@@ -3,6 +3,7 @@
 #include <limits>
 #include <optional>
 
+#include "mesher/edge_turn.h"
 #include "support/check.h"
 #include "support/union_find.h"
 
@@ -41,20 +42,11 @@ std::vector<BoundaryFace> collect_faces(const RestrictedDelaunay& restricted)
     return faces;
 }
 
-//! The face met next when turning around the edge (a, b) from `start`, leaving the facet opposite its vertex
-//! `entered_at`, through Delaunay cells on the same side of the surface.
-std::uint32_t next_odd_facet(DelaunayCell start, int entered_at, VertexHandle a, VertexHandle b)
+//! The face of the odd facet that next_odd_facet() finds.
+std::uint32_t next_face(DelaunayCell start, int entered_at, VertexHandle a, VertexHandle b)
 {
-    DelaunayCell delaunay_cell = start;
-    while (true)
-    {
-        const int leave_at = 6 - entered_at - delaunay_cell->index(a) - delaunay_cell->index(b);
-        const DelaunayCell next = delaunay_cell->neighbor(leave_at);
-        if (inside(next) != inside(start))
-            return delaunay_cell->info().facet[static_cast<std::size_t>(leave_at)];
-        entered_at = next->index(delaunay_cell);
-        delaunay_cell = next;
-    }
+    const FacetOfCell next = next_odd_facet(start, entered_at, a, b);
+    return next.delaunay_cell->info().facet[static_cast<std::size_t>(next.index)];
 }
 
 //! Pairs odd facets across the edges they share. Where more than two share one, the surface pinches itself
@@ -66,11 +58,11 @@ public:
 
     [[nodiscard]] std::uint32_t partner_across(const BoundaryFace& face, VertexHandle a, VertexHandle b) const
     {
-        const std::uint32_t through_inside = next_odd_facet(face.inside, face.index, a, b);
+        const std::uint32_t through_inside = next_face(face.inside, face.index, a, b);
         if (!a->info().pinched || !b->info().pinched)
             return through_inside;
         const DelaunayCell outside = face.inside->neighbor(face.index);
-        const std::uint32_t through_outside = next_odd_facet(outside, outside->index(face.inside), a, b);
+        const std::uint32_t through_outside = next_face(outside, outside->index(face.inside), a, b);
         if (through_inside == through_outside)
             return through_inside;
         return joined_at_edge(restricted_, face.inside, a, b) ? through_outside : through_inside;

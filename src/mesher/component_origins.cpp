@@ -11,16 +11,6 @@ namespace voroprobe
 namespace
 {
 
-//! Means by which a piece was found; where several apply the later one counts.
-enum class FoundBy : std::uint8_t
-{
-    kRefinement,
-    kIsolatedVertex,
-    kInventory,
-    kCellProbe,
-    kProbe
-};
-
 FoundBy found_by(VertexHandle vertex)
 {
     if (vertex == VertexHandle())
@@ -36,37 +26,51 @@ FoundBy found_by(VertexHandle vertex)
 
 } // namespace
 
-void count_component_origins(const BoundaryComplex& complex, std::size_t vertices_inserted,
-                             MeshingStatistics& statistics)
+std::vector<FoundPiece> find_pieces(const BoundaryComplex& complex,
+                                    std::span<const SurfaceId> surface_of_face)
 {
-    UnionFind pieces(
-        complex.mesh.vertices.size()); // in a manifold, faces joined at vertices are joined at edges
+    // In a manifold, faces joined at vertices are joined at edges.
+    UnionFind joined(complex.mesh.vertices.size());
     for (const auto& face : complex.mesh.faces)
     {
-        pieces.unite(face[0], face[1]);
-        pieces.unite(face[0], face[2]);
+        joined.unite(face[0], face[1]);
+        joined.unite(face[0], face[2]);
     }
-    std::vector<FoundBy> means(complex.mesh.vertices.size(), FoundBy::kRefinement);
-    for (std::uint32_t vertex = 0; vertex < means.size(); ++vertex)
+    std::vector<FoundPiece> piece_of_root(complex.mesh.vertices.size(), {kNoSurface, FoundBy::kRefinement});
+    for (std::size_t f = 0; f < complex.mesh.faces.size(); ++f)
+        piece_of_root[joined.find(complex.mesh.faces[f][0])].surface = surface_of_face[f];
+    std::vector<FoundPiece> pieces;
+    for (std::uint32_t vertex = 0; vertex < piece_of_root.size(); ++vertex)
     {
-        const std::uint32_t piece = pieces.find(vertex);
-        means[piece] = std::max(means[piece], found_by(complex.vertex_of_copy[vertex]));
+        FoundBy& means = piece_of_root[joined.find(vertex)].found_by;
+        means = std::max(means, found_by(complex.vertex_of_copy[vertex]));
     }
+    for (std::uint32_t vertex = 0; vertex < piece_of_root.size(); ++vertex)
+    {
+        if (joined.find(vertex) == vertex)
+            pieces.push_back(piece_of_root[vertex]);
+    }
+    return pieces;
+}
+
+std::size_t count_abandoned_vertices(const BoundaryComplex& complex, std::size_t vertices_inserted)
+{
     std::vector<bool> used(vertices_inserted, false);
     for (const VertexHandle vertex : complex.vertex_of_copy)
     {
         if (vertex != VertexHandle())
             used[vertex->info().index] = true;
     }
-    statistics.isolated_vertices_abandoned =
-        static_cast<std::size_t>(std::count(used.begin() + kSentinelCount, used.end(), false));
+    return static_cast<std::size_t>(std::count(used.begin() + kSentinelCount, used.end(), false));
+}
 
+void count_found_pieces(std::span<const FoundPiece> pieces, MeshingStatistics& statistics)
+{
     const auto count = [&](FoundBy wanted)
     {
-        std::size_t found = 0;
-        for (std::uint32_t vertex = 0; vertex < means.size(); ++vertex)
-            found += pieces.find(vertex) == vertex && means[vertex] == wanted ? 1 : 0;
-        return found;
+        return static_cast<std::size_t>(std::count_if(pieces.begin(), pieces.end(),
+                                                      [wanted](const FoundPiece& piece)
+                                                      { return piece.found_by == wanted; }));
     };
     statistics.components_by_initialization = count(FoundBy::kProbe);
     statistics.components_by_probing = count(FoundBy::kCellProbe);

@@ -1,13 +1,20 @@
 #include "mesher/faithfulness.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace voroprobe
 {
 namespace
 {
+
+//! How far from the middle of a neck its surface is looked for: a voxel, at the default floor.
+constexpr double kReachOfNeckInFloors = 4.0;
+
+constexpr std::array<Vec3, 6> kAxes{{{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
 
 //! The n-th of `count` unit vectors spread evenly: a spiral from pole to pole. Source: Swinbank & Purser,
 //! Fibonacci grids, 2006.
@@ -112,6 +119,62 @@ std::size_t seed_surfaces(std::span<const SurfaceId> surfaces, std::size_t point
             last = vertex;
             ++inserted;
         }
+    }
+    return inserted;
+}
+
+std::vector<SurfacePoint> vertices_on_surfaces(const RestrictedDelaunay& restricted)
+{
+    std::vector<SurfacePoint> vertices;
+    std::vector<SurfaceId> noted(restricted.vertex_index_bound(), kNoSurface);
+    for (const DelaunayCell delaunay_cell : restricted.triangulation().all_cell_handles())
+    {
+        for (int i = 0; inside(delaunay_cell) && i < 4; ++i)
+        {
+            const SurfaceId surface = restricted.oracle().surface_between(
+                delaunay_cell->info().region, delaunay_cell->neighbor(i)->info().region);
+            if (surface == kNoSurface)
+                continue;
+            for (int k = 0; k < 4; ++k)
+            {
+                const VertexHandle vertex = delaunay_cell->vertex(k);
+                if (k != i && std::exchange(noted[vertex->info().index], surface) != surface)
+                    vertices.push_back({surface, position(vertex)});
+            }
+        }
+    }
+    return vertices;
+}
+
+std::vector<Point3> points_around(std::span<const Neck> necks, double floor_radius,
+                                  const SurfaceOracle& oracle)
+{
+    std::vector<Point3> points;
+    std::vector<Crossing> crossings;
+    for (const Neck& neck : necks)
+    {
+        for (const Vec3& direction : kAxes)
+        {
+            const Vec3 ray = kReachOfNeckInFloors * floor_radius * direction;
+            oracle.find_crossings({neck.middle, neck.middle + ray}, crossings);
+            if (!crossings.empty())
+                points.push_back(crossings.front().point);
+        }
+    }
+    return points;
+}
+
+std::size_t seed_points(std::span<const Point3> points, double floor_radius,
+                        const RestrictedDelaunay& restricted, Refinement& refinement)
+{
+    std::size_t inserted = 0;
+    VertexHandle last = restricted.triangulation().finite_vertices_begin();
+    for (const Point3& p : points)
+    {
+        if (!restricted.is_apart(p, floor_radius, last))
+            continue;
+        last = refinement.insert(p, VertexOrigin::kRefinement, last);
+        ++inserted;
     }
     return inserted;
 }

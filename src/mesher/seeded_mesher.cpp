@@ -14,10 +14,12 @@
 #include "mesher/initialization.h"
 #include "mesher/refinement.h"
 #include "mesher/region_repair.h"
+#include "mesher/region_settlement.h"
 #include "mesher/restricted_delaunay.h"
 #include "mesher/seed_candidates.h"
 #include "mesher/seeding.h"
 #include "mesher/surface_extraction.h"
+#include "oracles/coverage.h"
 #include "support/error.h"
 #include "support/number_text.h"
 #include "support/stopwatch.h"
@@ -31,6 +33,7 @@ namespace
 // Points given to a surface without facets, the first time; four times as many each time after.
 constexpr std::size_t kSeedsPerSurface = 8;
 constexpr int kInventoryRounds = 6;
+constexpr int kFlawRounds = 2;
 
 class SeededMesher
 {
@@ -40,7 +43,7 @@ public:
           deadline_(progress, options.max_seconds),
           refinement_(restricted_, options_, workers_, statistics_, &deadline_),
           seed_candidates_(restricted_, options_, refinement_, statistics_),
-          cell_probing_(restricted_, options_, statistics_, deadline_)
+          cell_probing_(restricted_, options_, statistics_, deadline_), settlement_(restricted_, options_)
     {
     }
 
@@ -56,9 +59,14 @@ public:
         }
         for (int round = 1; may_go_on() && pursue_inventory(round); ++round)
             refinement_.refine();
+        settlement_.settle(may_go_on());
+        for (int round = 1; may_go_on() && pursue_flaws(round); ++round)
+            settlement_.settle(may_go_on());
+        settlement_.finish_handles();
+        ExtractedSurface extracted = extract_surface(restricted_, settlement_, options_, statistics_);
         stopped_ =
             stopped_ || refinement_.status() == MeshingStatus::kInterrupted || cell_probing_.was_stopped();
-        return result();
+        return result(std::move(extracted));
     }
 
 private:
@@ -148,12 +156,18 @@ private:
         return any;
     }
 
-    //! Gives points to the surfaces of the inventory without facets, and lowers the floor where facets do
-    //! not lie on one surface or a region is in pieces. False when there is nothing left to pursue.
+    [[nodiscard]] bool may_pursue_inventory() const
+    {
+        return oracle_.surface_count() > 0 &&
+               (options_.seeding == Seeding::kInventory || options_.seeding == Seeding::kProbe);
+    }
+
+    //! Gives points to the surfaces of the inventory without facets, and to parts of others that the mesh has
+    //! not come to, and lowers the floor where facets do not lie on one surface or a region is in pieces.
+    //! False when there is nothing left to pursue.
     bool pursue_inventory(int round)
     {
-        const bool wanted = options_.seeding == Seeding::kInventory || options_.seeding == Seeding::kProbe;
-        if (!wanted || oracle_.surface_count() == 0 || round > kInventoryRounds)
+        if (!may_pursue_inventory() || round > kInventoryRounds)
             return false;
         const std::vector<SurfaceId> missing = find_missing_surfaces(restricted_);
         const std::size_t seeds =
@@ -171,12 +185,51 @@ private:
         return (helps && refinement_.lower_floor(places, round)) || seeds > 0;
     }
 
-    MeshingResult result()
+    //! Gives points to parts of surfaces that the mesh does not come to, and to the necks of the scan that
+    //! labels alone could not put right; lowers the floor there, if that is not the first time, and
+    //! where a region is in pieces; and refines. False where there is no such place; else the regions are
+    //! unsettled.
+    bool pursue_flaws(int round)
+    {
+        if (!may_pursue_inventory() || round > kFlawRounds || !flaws_yield_)
+            return false;
+        std::vector<Point3> points = uncovered_points(round);
+        statistics_.uncovered_points += points.size();
+        const std::vector<Point3> at_necks =
+            points_around(settlement_.necks_to_refine(), options_.floor_radius, oracle_);
+        points.insert(points.end(), at_necks.begin(), at_necks.end());
+        const bool has_gaps = settlement_.pieces_left_apart() > 0;
+        if (points.empty() && !has_gaps)
+            return false;
+        settlement_.unsettle();
+        std::vector<Point3> places;
+        if (has_gaps)
+            places = find_gaps(restricted_, options_.floor_radius);
+        const std::size_t seeds = seed_points(points, options_.floor_radius, restricted_, refinement_);
+        if (round > 1 || seeds == 0)
+            places.insert(places.end(), points.begin(), points.end());
+        flaws_yield_ = refinement_.lower_floor(places, round) || seeds > 0;
+        refinement_.refine();
+        return true;
+    }
+
+    [[nodiscard]] std::vector<Point3> uncovered_points(int round) const
+    {
+        const double radius = options_.max_facet_radius;
+        std::vector<Point3> points;
+        for (const SurfacePoint& at :
+             find_uncovered_points(oracle_, vertices_on_surfaces(restricted_), 2.0 * radius,
+                                   std::ldexp(radius, 1 - round), options_.threads))
+            points.push_back(at.point);
+        return points;
+    }
+
+    MeshingResult result(ExtractedSurface extracted)
     {
         MeshingResult result;
-        ExtractedSurface surface = extract_surface(restricted_, options_, statistics_);
-        result.mesh = std::move(surface.mesh);
-        result.surface_of_face = std::move(surface.surface_of_face);
+        result.mesh = std::move(extracted.mesh);
+        result.surface_of_face = std::move(extracted.surface_of_face);
+        result.pieces = std::move(extracted.pieces);
         statistics_.seconds_refinement = stopwatch_.seconds();
         result.statistics = statistics_;
         result.status = refinement_.status();
@@ -196,6 +249,8 @@ private:
     Refinement refinement_;
     SeedCandidates seed_candidates_;
     CellProbing cell_probing_;
+    RegionSettlement settlement_;
+    bool flaws_yield_ = true;           //!< something could be done about the last ones
     bool stopped_ = false;              //!< before the work was done
     std::size_t unfaithful_places_ = 0; //!< when last looked for
 };

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "mesh/triangle_mesh.h"
@@ -46,11 +48,15 @@ struct MeshingStatistics
     //! Facets whose dual edge crosses the surface more than once in the end: as small as the floor, unless
     //! the run was stopped.
     std::size_t facets_at_floor = 0;
+    //! Points where the mesh had not come to a part of a surface and was sent to (coverage.h).
+    std::size_t uncovered_points = 0;
     //! What repair_regions() did where refinement ended at the floor: Delaunay cells moved to another region,
     //! pieces of regions dissolved where the region is not, and pieces of one region joined.
     std::size_t cells_reconciled = 0;
     std::size_t crumbs_dissolved = 0;
     std::size_t necks_bridged = 0;
+    //! Bridges and tunnels opened or closed by labels alone, to have as many handles as the scan.
+    std::size_t handles_mended = 0;
     //! Slivers moved to the other side of the surface to mend a pinched edge, and crumbs dissolved.
     std::size_t cells_relabelled = 0;
     //! Vertices moved by a hair where the surface touched itself.
@@ -62,6 +68,22 @@ struct MeshingStatistics
     double seconds_refinement = 0.0; //!< wall clock of the whole run: seeding, refinement, extraction
 };
 
+//! By which means a piece of the mesh was found; where several apply the last one counts.
+enum class FoundBy : std::uint8_t
+{
+    kRefinement,
+    kIsolatedVertex,
+    kInventory,
+    kCellProbe,
+    kProbe
+};
+
+struct FoundPiece
+{
+    SurfaceId surface; //!< of the oracle's inventory; 0 where there is none
+    FoundBy found_by;
+};
+
 struct MeshingResult
 {
     TriangleMesh mesh; //!< oracle frame; closed (but for an open border), oriented outward, 2-manifold, no
@@ -69,6 +91,9 @@ struct MeshingResult
 
     //! Of each face the surface of the oracle's inventory it lies on; 0 throughout where there is none.
     std::vector<SurfaceId> surface_of_face;
+
+    //! The pieces that the statistics count, in no particular order.
+    std::vector<FoundPiece> pieces;
     MeshingStatistics statistics;
     MeshingStatus status = MeshingStatus::kDone;
 };
@@ -79,5 +104,8 @@ struct MeshingResult
 //! \throw UsageError where an option is outside its range.
 MeshingResult mesh_surface(const SurfaceOracle& oracle, const MeshingOptions& options,
                            ProgressSink* progress = nullptr);
+
+//! Sets `components_by_...` to the numbers of these pieces.
+void count_found_pieces(std::span<const FoundPiece> pieces, MeshingStatistics& statistics);
 
 } // namespace voroprobe

@@ -9,8 +9,6 @@
 #include "mesher/contact_separation.h"
 #include "mesher/open_border.h"
 #include "mesher/pinched_edges.h"
-#include "mesher/region_repair.h"
-#include "mesher/relabelling.h"
 
 namespace voroprobe
 {
@@ -51,14 +49,6 @@ Region region_outside(const SurfaceOracle& oracle, DelaunayCell delaunay_cell)
     return oracle.sides(oracle.surface_around(delaunay_cell->info().region)).outside;
 }
 
-void repair(RestrictedDelaunay& restricted, const MeshingOptions& options, MeshingStatistics& statistics)
-{
-    const RegionRepairReport report = repair_regions(restricted, options.floor_radius);
-    statistics.cells_reconciled += report.cells_reconciled;
-    statistics.crumbs_dissolved += report.crumbs_dissolved;
-    statistics.necks_bridged += report.necks_bridged;
-}
-
 //! Gives the Delaunay cells around the vertices to the outside: the surface no longer passes there.
 void carve(const RestrictedDelaunay& restricted, const std::vector<VertexHandle>& vertices)
 {
@@ -80,27 +70,30 @@ void carve(const RestrictedDelaunay& restricted, const std::vector<VertexHandle>
 
 } // namespace
 
-ExtractedSurface extract_surface(RestrictedDelaunay& restricted, const MeshingOptions& options,
-                                 MeshingStatistics& statistics)
+ExtractedSurface extract_surface(const RestrictedDelaunay& restricted, RegionSettlement& settlement,
+                                 const MeshingOptions& options, MeshingStatistics& statistics)
 {
     statistics.facets_at_floor = restricted.count_unresolved_facets();
-    repair(restricted, options, statistics);
-    statistics.cells_relabelled = relabel_pinched_cells(restricted, options);
-    if (statistics.cells_relabelled > 0)
-        repair(restricted, options, statistics); // a cell that mends an edge may have been a neck
     BoundaryComplex complex = collect_boundary(restricted);
     ContactReport contacts = take_apart(restricted, complex);
-    while (!contacts.unseparated.empty()) // each time fewer inside cells are left
+    while (!contacts.unseparated.empty()) // each time fewer changes are left to undo, or inside cells
     {
-        statistics.contacts_carved += contacts.unseparated.size();
-        carve(restricted, contacts.unseparated);
+        if (!settlement.undo_handles_at(contacts.unseparated))
+        {
+            statistics.contacts_carved += contacts.unseparated.size();
+            carve(restricted, contacts.unseparated);
+        }
         complex = collect_boundary(restricted);
         contacts = take_apart(restricted, complex);
     }
     statistics.contacts_separated = contacts.separated;
-    count_component_origins(complex, restricted.vertex_index_bound(), statistics);
+    settlement.count(statistics);
+    statistics.isolated_vertices_abandoned =
+        count_abandoned_vertices(complex, restricted.vertex_index_bound());
     std::vector<SurfaceId> surface_of_face = surfaces_of_faces(restricted.oracle(), complex);
-    ExtractedSurface extracted{std::move(complex.mesh), std::move(surface_of_face)};
+    std::vector<FoundPiece> pieces = find_pieces(complex, surface_of_face);
+    count_found_pieces(pieces, statistics);
+    ExtractedSurface extracted{std::move(complex.mesh), std::move(surface_of_face), std::move(pieces)};
     if (!options.close_border)
         open_border(restricted.oracle().domain(), kOnSideInFloors * options.floor_radius, extracted);
     return extracted;

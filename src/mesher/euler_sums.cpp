@@ -1,0 +1,171 @@
+#include "mesher/euler_sums.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "mesher/boundary_complex.h"
+#include "mesher/edge_turn.h"
+#include "support/check.h"
+#include "support/union_find.h"
+
+namespace voroprobe
+{
+namespace
+{
+
+SurfaceId surface_of(const SurfaceOracle& oracle, DelaunayCell delaunay_cell, int index)
+{
+    return oracle.surface_between(delaunay_cell->info().region,
+                                  delaunay_cell->neighbor(index)->info().region);
+}
+
+//! The odd facets at a vertex, paired across the edges there as collect_boundary() pairs them.
+class VertexStar
+{
+public:
+    VertexStar(const RestrictedDelaunay& restricted, VertexHandle vertex)
+        : restricted_(restricted), vertex_(vertex)
+    {
+        std::vector<DelaunayCell> star;
+        restricted.triangulation().incident_cells(vertex, std::back_inserter(star));
+        for (const DelaunayCell delaunay_cell : star)
+        {
+            for (int i = 0; i < 4; ++i)
+            {
+                if (inside(delaunay_cell) && delaunay_cell->vertex(i) != vertex &&
+                    separates_sides(delaunay_cell, i))
+                    facets_.push_back({delaunay_cell, i});
+            }
+        }
+    }
+
+    //! Adds two for each umbrella of a surface.
+    void add_umbrellas(DoubledEuler& sums) const
+    {
+        UnionFind umbrellas(facets_.size());
+        for (std::uint32_t f = 0; f < facets_.size(); ++f)
+        {
+            for (int k = 0; k < 4; ++k)
+            {
+                const VertexHandle other = facets_[f].delaunay_cell->vertex(k);
+                if (k != facets_[f].index && other != vertex_)
+                    umbrellas.unite(f, number(partner_across(facets_[f], other)));
+            }
+        }
+        for (std::uint32_t f = 0; f < facets_.size(); ++f)
+        {
+            if (umbrellas.find(f) == f)
+                sums[surface_of(restricted_.oracle(), facets_[f].delaunay_cell, facets_[f].index)] += 2;
+        }
+    }
+
+private:
+    [[nodiscard]] FacetOfCell partner_across(const FacetOfCell& facet, VertexHandle other) const
+    {
+        const FacetOfCell through_inside = next_odd_facet(facet.delaunay_cell, facet.index, vertex_, other);
+        const DelaunayCell outside = facet.delaunay_cell->neighbor(facet.index);
+        const FacetOfCell beyond =
+            next_odd_facet(outside, outside->index(facet.delaunay_cell), vertex_, other);
+        const DelaunayCell next = beyond.delaunay_cell->neighbor(beyond.index);
+        const FacetOfCell through_outside{next, next->index(beyond.delaunay_cell)};
+        if (is_same(through_inside, through_outside) ||
+            !joined_at_edge(restricted_, facet.delaunay_cell, vertex_, other))
+            return through_inside;
+        return through_outside;
+    }
+
+    static bool is_same(const FacetOfCell& a, const FacetOfCell& b)
+    {
+        return a.delaunay_cell == b.delaunay_cell && a.index == b.index;
+    }
+
+    [[nodiscard]] std::uint32_t number(const FacetOfCell& facet) const
+    {
+        const auto found = std::find_if(facets_.begin(), facets_.end(),
+                                        [&](const FacetOfCell& other) { return is_same(facet, other); });
+        CHECK(found != facets_.end());
+        return static_cast<std::uint32_t>(found - facets_.begin());
+    }
+
+    const RestrictedDelaunay& restricted_;
+    VertexHandle vertex_;
+    std::vector<FacetOfCell> facets_; //!< each from its inside cell
+};
+
+bool by_index(VertexHandle a, VertexHandle b)
+{
+    return a->info().index < b->info().index;
+}
+
+std::vector<VertexHandle> corners_of(const std::vector<DelaunayCell>& delaunay_cells)
+{
+    std::vector<VertexHandle> corners;
+    for (const DelaunayCell delaunay_cell : delaunay_cells)
+        for (int i = 0; i < 4; ++i)
+            corners.push_back(delaunay_cell->vertex(i));
+    std::sort(corners.begin(), corners.end(), by_index);
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    return corners;
+}
+
+} // namespace
+
+DoubledEuler doubled_euler_around(const RestrictedDelaunay& restricted,
+                                  const std::vector<DelaunayCell>& delaunay_cells)
+{
+    DoubledEuler sums;
+    for (auto at = delaunay_cells.begin(); at != delaunay_cells.end(); ++at)
+    {
+        for (int i = 0; i < 4; ++i)
+        {
+            // A facet between two of the cells is met from both; the first one counts it.
+            const bool counted = std::find(delaunay_cells.begin(), at, (*at)->neighbor(i)) != at;
+            if (separates_sides(*at, i) && !counted)
+                --sums[surface_of(restricted.oracle(), *at, i)];
+        }
+    }
+    for (const VertexHandle vertex : corners_of(delaunay_cells))
+        VertexStar(restricted, vertex).add_umbrellas(sums);
+    return sums;
+}
+
+std::vector<long> doubled_euler_of_surfaces(const RestrictedDelaunay& restricted)
+{
+    const SurfaceOracle& oracle = restricted.oracle();
+    std::vector<long> sums(oracle.surface_count(), 0);
+    std::vector<bool> is_counted(restricted.vertex_index_bound(), false);
+    std::vector<VertexHandle> pinched;
+    for (const DelaunayCell delaunay_cell : restricted.triangulation().all_cell_handles())
+    {
+        for (int i = 0; inside(delaunay_cell) && i < 4; ++i)
+        {
+            const SurfaceId surface =
+                separates_sides(delaunay_cell, i) ? surface_of(oracle, delaunay_cell, i) : kNoSurface;
+            if (surface == kNoSurface)
+                continue;
+            --sums[static_cast<std::size_t>(surface)];
+            for (int k = 0; k < 4; ++k)
+            {
+                const VertexHandle vertex = delaunay_cell->vertex(k);
+                if (k == i || is_counted[vertex->info().index])
+                    continue;
+                is_counted[vertex->info().index] = true;
+                if (vertex->info().pinched)
+                    pinched.push_back(vertex);
+                else
+                    sums[static_cast<std::size_t>(surface)] += 2;
+            }
+        }
+    }
+    DoubledEuler umbrellas;
+    for (const VertexHandle vertex : pinched)
+        VertexStar(restricted, vertex).add_umbrellas(umbrellas);
+    for (const auto& [surface, sum] : umbrellas)
+    {
+        if (surface != kNoSurface)
+            sums[static_cast<std::size_t>(surface)] += sum;
+    }
+    return sums;
+}
+
+} // namespace voroprobe
