@@ -47,13 +47,13 @@ public:
 
     HandleRepairReport run(std::span<const Neck> necks)
     {
-        const std::vector<Neck> missed = missed_necks(necks);
+        const std::vector<LocatedNeck> missed = missed_necks(necks);
         for (int pass = 0; pass < kPasses && lacks_any(); ++pass)
         {
             report_.too_coarse.clear();
             report_.of_no_help.clear();
             const std::size_t before = report_.changes.size();
-            for (const Neck& neck : missed)
+            for (const LocatedNeck& neck : missed)
                 mend(neck);
             if (report_.changes.size() == before)
                 break;
@@ -105,28 +105,37 @@ private:
                            [&](SurfaceId surface) { return lack_of(surface) != 0; });
     }
 
-    [[nodiscard]] bool is_missed(const Neck& neck)
+    //! A neck and the Delaunay cell that holds its middle.
+    struct LocatedNeck
     {
-        near_ = triangulation_.locate(cgal_point(neck.middle), near_);
-        return near_->info().region != neck.region;
-    }
+        const Neck& neck;
+        DelaunayCell holder;
 
-    [[nodiscard]] std::vector<Neck> missed_necks(std::span<const Neck> necks)
+        [[nodiscard]] bool is_missed() const { return holder->info().region != neck.region; }
+    };
+
+    //! Those on the wrong side of the mesh, beside surfaces that lack something.
+    [[nodiscard]] std::vector<LocatedNeck> missed_necks(std::span<const Neck> necks) const
     {
-        std::vector<Neck> missed;
+        std::vector<LocatedNeck> missed;
+        DelaunayCell near{};
         for (const Neck& neck : necks)
         {
-            if (is_beside_lacking_surface(neck) && is_missed(neck))
-                missed.push_back(neck);
+            if (!is_beside_lacking_surface(neck))
+                continue;
+            near = triangulation_.locate(cgal_point(neck.middle), near);
+            if (const LocatedNeck located{neck, near}; located.is_missed())
+                missed.push_back(located);
         }
         return missed;
     }
 
-    void mend(const Neck& neck)
+    void mend(const LocatedNeck& located)
     {
-        if (!is_beside_lacking_surface(neck) || !is_missed(neck))
+        const Neck& neck = located.neck;
+        if (!is_beside_lacking_surface(neck) || !located.is_missed())
             return;
-        const std::vector<DelaunayCell> cells = cells_along(neck);
+        const std::vector<DelaunayCell> cells = cells_along(located);
         const Outcome outcome = cells.empty() ? Outcome::kRefused : change(cells, neck.region);
         if (outcome == Outcome::kTooCoarse)
             report_.too_coarse.push_back({neck, longest_side_});
@@ -166,23 +175,24 @@ private:
 
     //! The Delaunay cells of other regions on the ways from the middle of the neck to its ends, and on to the
     //! nearest cells of its own region; empty where there is no way.
-    [[nodiscard]] std::vector<DelaunayCell> cells_along(const Neck& neck) const
+    [[nodiscard]] std::vector<DelaunayCell> cells_along(const LocatedNeck& located) const
     {
         std::vector<DelaunayCell> cells;
-        for (const Point3& end : neck.ends)
+        for (const Point3& end : located.neck.ends)
         {
-            if (!go_straight(neck, end, cells))
+            if (!go_straight(located, end, cells))
                 return {};
         }
         return cells.size() > kMostCells ? std::vector<DelaunayCell>{} : cells;
     }
 
     //! Adds the cells on the way to one end; false where something in the way may not change.
-    bool go_straight(const Neck& neck, const Point3& end, std::vector<DelaunayCell>& cells) const
+    bool go_straight(const LocatedNeck& located, const Point3& end, std::vector<DelaunayCell>& cells) const
     {
+        const Neck& neck = located.neck;
         DelaunayCell last{};
-        for (const DelaunayCell delaunay_cell :
-             triangulation_.segment_traverser_cell_handles(cgal_point(neck.middle), cgal_point(end), near_))
+        for (const DelaunayCell delaunay_cell : triangulation_.segment_traverser_cell_handles(
+                 cgal_point(neck.middle), cgal_point(end), located.holder))
         {
             if (delaunay_cell->info().region == neck.region)
                 return true;
@@ -363,7 +373,6 @@ private:
     std::vector<long>& lacking_; //!< by surface
     HandleRepairReport report_;
     double longest_side_ = 0.0; //!< of the facets that the last change made, or would have made
-    DelaunayCell near_{};       //!< where the last neck was
     std::uint32_t next_mark_ = kFirstMark;
 };
 
