@@ -1,4 +1,4 @@
-//! Real label maps; skipped where the folder named by VOROPROBE_DATA does not have them.
+//! Real label maps, where they are at hand: VOROPROBE_DATA, or ../shared/data beside the sources.
 
 #include <cstdlib>
 #include <filesystem>
@@ -30,7 +30,7 @@ constexpr KnownMap kMaps[] = {{"inia19_labels.nii.gz", 724, 1307},
 std::filesystem::path path_of(const char* file)
 {
     const char* folder = std::getenv("VOROPROBE_DATA");
-    return folder == nullptr ? std::filesystem::path() : std::filesystem::path(folder) / file;
+    return std::filesystem::path(folder ? folder : VOROPROBE_SOURCE_DIR "/../shared/data") / file;
 }
 
 TEST(LabelsRealData, labels_and_parts_are_counted_as_others_did)
@@ -38,7 +38,7 @@ TEST(LabelsRealData, labels_and_parts_are_counted_as_others_did)
     for (const KnownMap& map : kMaps)
     {
         if (!std::filesystem::exists(path_of(map.file)))
-            GTEST_SKIP() << map.file << " is not in VOROPROBE_DATA";
+            GTEST_SKIP() << "needs " << path_of(map.file);
         const LabelSurvey survey(read_volume(path_of(map.file)).volume);
         EXPECT_EQ(survey.labels().size(), map.labels) << map.file;
         EXPECT_EQ(survey.parts().size(), map.parts) << map.file;
@@ -49,7 +49,7 @@ TEST(LabelsRealData, every_nucleus_is_meshed_with_its_volume)
 {
     const char* file = "platynereis_nuclei_labels.nrrd";
     if (!std::filesystem::exists(path_of(file)))
-        GTEST_SKIP() << file << " is not in VOROPROBE_DATA";
+        GTEST_SKIP() << "needs " << path_of(file);
     const Volume volume = read_volume(path_of(file)).volume;
     const LabelSurvey survey(volume);
     std::vector<std::uint32_t> places(survey.labels().size());
