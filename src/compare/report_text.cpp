@@ -135,7 +135,9 @@ std::string label_headline(const Json& report)
                                              count_text(report.at("input").at("labels")) + " labels in " +
                                              vertices(*ours) + "; " + volume_change(*ours) + ".";
     if (const Json* staircase = find_done(report, kReference))
-        text += " Marching cubes takes " + vertices(*staircase) + " for the staircase of the voxels.";
+        text += " Marching cubes takes " + vertices(*staircase) +
+                " for the staircase of the voxels, which "
+                "nobody else is as near to.";
     if (const Json* usual = find_done(report, kUsualForLabels))
         text += " Smoothed and decimated it has " + surfaces(*usual) + " in " + vertices(*usual) + "; " +
                 volume_change(*usual) + ", and " + percent(usual->at("angles").at("share_below_30")) +
