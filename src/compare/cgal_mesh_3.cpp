@@ -30,8 +30,6 @@ using Triangulation = CGAL::Mesh_triangulation_3<Domain, CGAL::Default, CGAL::Se
 using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
 using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 
-constexpr unsigned kRandomSeed = 1; // CGAL takes the time of day otherwise: another mesh each time
-
 CGAL::Image_3 make_image(const PeerField& field)
 {
     const auto& [size, spacing] = std::tie(field.size, field.spacing);

@@ -23,7 +23,6 @@ using Triangulation = CGAL::Surface_mesh_default_triangulation_3;
 using Complex = CGAL::Complex_2_in_triangulation_3<Triangulation>;
 using Kernel = Triangulation::Geom_traits;
 
-constexpr unsigned kRandomSeed = 1;         // CGAL takes the time of day otherwise: another mesh each time
 constexpr std::size_t kSeedsPerRegion = 20; // as many as CGAL's scan for Mesh_3 shoots rays
 
 //! -1 inside and +1 outside the isosurface of the trilinear interpolant; the mesher looks at signs only.

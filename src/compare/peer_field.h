@@ -22,6 +22,9 @@ struct PeerField
     Box3 border;     //!< of the volume's samples: where the object ends
 };
 
+//! For peers that draw random numbers: CGAL takes the time of day otherwise, another mesh each time.
+constexpr unsigned kRandomSeed = 1;
+
 //! The field of a task. What is not finite becomes a value outside; where the object lies below the isovalue,
 //! signs are changed. Cost: a pass over the samples.
 PeerField make_peer_field(const MeshingTask& task);
