@@ -138,8 +138,9 @@ std::vector<Entry> choose_contestants(const std::vector<std::string>& names)
         const auto found =
             std::find_if(all.begin(), all.end(), [&name](const Entry& entry) { return entry.name == name; });
         if (found == all.end())
-            throw UsageError("--peers " + name +
-                             ": unknown; known are voroprobe, surface_mesher, mesh_3, mesh_3_scan");
+            throw UsageError(
+                "--peers " + name +
+                ": unknown; known are voroprobe, refinement, surface_mesher, mesh_3, mesh_3_scan");
         chosen.push_back(*found);
     }
     return chosen;
