@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
 #include <string>
 
 #include "io/mesh_3mf.h"
@@ -29,6 +32,8 @@ void check_file(const fs::path& path)
         fail_reading(path, "it is not a file");
     if (fs::file_size(path, error) == 0)
         fail_reading(path, "the file is empty");
+    if (!std::ifstream(path, std::ios::binary))
+        fail_reading(path, std::strerror(errno));
 }
 
 std::string lower_case_extension(const fs::path& path)

@@ -1,6 +1,8 @@
 #include "oracles/vdb_file.h"
 
 #include <array>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <new>
 
@@ -31,6 +33,8 @@ std::ifstream open_vdb_file(const std::filesystem::path& path)
     if (!std::filesystem::exists(path, status))
         throw input_error(path, "no such file");
     std::ifstream file(path, std::ios::binary);
+    if (!file)
+        throw input_error(path, std::strerror(errno));
     std::array<char, kMagic.size()> start{};
     if (std::filesystem::is_directory(path, status) || !file.read(start.data(), start.size()) ||
         start != kMagic)

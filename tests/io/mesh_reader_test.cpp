@@ -47,6 +47,27 @@ bool contains(const std::string& text, const std::string& part)
     return text.find(part) != std::string::npos;
 }
 
+TEST(MeshReader, tells_that_a_file_may_not_be_read)
+{
+    const TemporaryFolder folder;
+    for (const char* name : {"a.stl", "a.ply", "a.obj", "a.off", "a.vtp", "a.3mf"})
+    {
+        const fs::path path = folder.file(name, "anything");
+        fs::permissions(path, fs::perms::none);
+        if (std::ifstream(path))
+            GTEST_SKIP() << "this user may read every file";
+        try
+        {
+            read_mesh(path);
+            ADD_FAILURE() << name << " was read";
+        }
+        catch (const InputError& error)
+        {
+            EXPECT_TRUE(contains(error.what(), "Permission denied")) << error.what();
+        }
+    }
+}
+
 // ---- What others write ----
 
 TEST(MeshReader, reads_off_with_comments_colours_and_polygons)
