@@ -14,6 +14,7 @@
 #include "cli/interrupt.h"
 #include "cli/mesh_command.h"
 #include "cli/process_command.h"
+#include "cli/unknown_argument.h"
 #include "support/error.h"
 
 namespace
@@ -34,6 +35,8 @@ int conclude_parsing(const CLI::App& app, const CLI::ParseError& error)
     constexpr int kSuccess = static_cast<int>(CLI::ExitCodes::Success);
     if (error.get_exit_code() == kSuccess)
         return app.exit(error);
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError))
+        return fail(ExitStatus::kUsage, voroprobe::unknown_argument_text(app));
     return fail(ExitStatus::kUsage, std::string(error.what()) + " (see voroprobe --help)");
 }
 

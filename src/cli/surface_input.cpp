@@ -135,7 +135,7 @@ bool is_vdb_path(const std::filesystem::path& path)
 void check_read_options(const std::filesystem::path& path, const ReadOptions& options)
 {
     if (path.empty())
-        throw UsageError("INPUT is ''; allowed: a file or a folder");
+        throw UsageError("INPUT is '' or missing; required: a file or a folder");
     if (options.series && std::filesystem::is_regular_file(path))
         throw UsageError("--series is '" + *options.series +
                          "'; allowed: only with a folder of DICOM files, " + path.string() + " is a file");

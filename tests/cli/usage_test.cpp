@@ -26,8 +26,8 @@ protected:
 TEST_F(UsageTest, commands_and_their_arguments_are_required)
 {
     expect_wrong_usage({}, {"--help"});
-    expect_wrong_usage({"melt"}, {"melt"});
-    expect_wrong_usage({"mesh"}, {"INPUT"});
+    expect_wrong_usage({"melt"}, {"'melt' is no command", "allowed: mesh, info, check, compare, process"});
+    expect_wrong_usage({"mesh"}, {"INPUT is '' or missing"});
     expect_wrong_usage({"mesh", folder_ / "ball.mha"}, {"--output"});
     expect_wrong_usage({"info"}, {"INPUT"});
     expect_wrong_usage({"mesh", "", "-o", folder_ / "out.stl"}, {"INPUT", "''", "file or a folder"});
@@ -35,10 +35,20 @@ TEST_F(UsageTest, commands_and_their_arguments_are_required)
 
 TEST_F(UsageTest, unknown_and_repeated_options_are_refused)
 {
-    expect_wrong_usage(mesh_ball("out.stl", {"--sizes", "1"}), {"--sizes"});
+    expect_wrong_usage(mesh_ball("out.stl", {"--sizes", "1"}), {"--sizes is no option of voroprobe mesh"});
     expect_wrong_usage(mesh_ball("out.stl", {"--size", "1", "--size", "2"}), {"--size"});
     expect_wrong_usage(mesh_ball("out.stl", {"--size"}), {"--size"});
-    expect_wrong_usage(mesh_ball("out.stl", {"another.mha"}), {"another.mha"});
+    expect_wrong_usage(mesh_ball("out.stl", {"another.mha"}), {"'another.mha' is one argument too many"});
+    expect_wrong_usage({"info", folder_ / "ball.mha", "--version"}, {"--version is no option"});
+}
+
+TEST_F(UsageTest, a_misspelt_option_is_told_with_the_one_that_was_meant)
+{
+    expect_wrong_usage(mesh_ball("out.stl", {"--isovlaue", "1"}), {"--isovlaue", "did you mean --isovalue?"});
+    expect_wrong_usage(mesh_ball("out.stl", {"--distanse=1"}),
+                       {"--distanse is no option", "did you mean --distance?", "voroprobe mesh --help"});
+    expect_wrong_usage({"info", folder_ / "ball.mha", "--jsn"}, {"--jsn", "did you mean --json?"});
+    EXPECT_EQ(run(mesh_ball("out.stl", {"--frobnicate"})).err.find("did you mean"), std::string::npos);
 }
 
 TEST_F(UsageTest, numbers_out_of_range_are_refused_with_option_value_and_range)
