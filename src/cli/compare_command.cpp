@@ -31,21 +31,36 @@ bool is_volume_name(const fs::path& path)
     return std::any_of(ends.begin(), ends.end(), [&](const char* end) { return name.ends_with(end); });
 }
 
-//! A folder that holds volumes stands for them, in the order of their names; any other path for itself.
-std::vector<fs::path> scans_of(const std::vector<fs::path>& inputs)
+//! What there is to compare, and whether OUTPUT is one page or a folder for them.
+struct Scans
 {
-    std::vector<fs::path> scans;
+    std::vector<fs::path> paths;
+    bool into_folder;
+};
+
+//! In the order of their names; none where the path is no folder, or one of DICOM or TIFF slices.
+std::vector<fs::path> volumes_in(const fs::path& folder)
+{
+    std::vector<fs::path> volumes;
+    std::error_code none;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, none))
+        if (entry.is_regular_file(none) && is_volume_name(entry.path()))
+            volumes.push_back(entry.path());
+    std::sort(volumes.begin(), volumes.end());
+    return volumes;
+}
+
+//! A folder that holds volumes stands for them, any other path for itself.
+Scans scans_of(const std::vector<fs::path>& inputs)
+{
+    Scans scans{.paths = {}, .into_folder = inputs.size() > 1};
     for (const fs::path& input : inputs)
     {
-        std::vector<fs::path> inside;
-        std::error_code none;
-        for (const fs::directory_entry& entry : fs::directory_iterator(input, none))
-            if (entry.is_regular_file(none) && is_volume_name(entry.path()))
-                inside.push_back(entry.path());
-        std::sort(inside.begin(), inside.end());
+        const std::vector<fs::path> inside = volumes_in(input);
+        scans.into_folder |= !inside.empty();
+        scans.paths.insert(scans.paths.end(), inside.begin(), inside.end());
         if (inside.empty())
-            inside.push_back(input);
-        scans.insert(scans.end(), inside.begin(), inside.end());
+            scans.paths.push_back(input);
     }
     return scans;
 }
@@ -87,19 +102,23 @@ ScanReport compare_into(const Outputs& outputs, const CompareArguments& argument
     return report;
 }
 
-void check_arguments(const CompareArguments& arguments, const std::vector<fs::path>& scans)
+void check_arguments(const CompareArguments& arguments, const Scans& scans)
 {
     if (arguments.output.empty())
         throw UsageError("--output is required (see voroprobe compare --help)");
-    for (const fs::path& scan : scans)
+    for (const fs::path& scan : scans.paths)
     {
         check_request({.path = scan, .read = arguments.read});
         check_compared_labels(arguments, scan);
     }
-    if (scans.size() == 1 && arguments.output.extension() != ".html")
+    const bool is_page = arguments.output.extension() == ".html";
+    if (!scans.into_folder && !is_page)
         throw UsageError("--output is '" + arguments.output.string() +
-                         "'; allowed: a name that ends in .html");
-    if (scans.size() > 1 && !arguments.with.empty())
+                         "'; allowed with one scan: a name that ends in .html");
+    if (scans.into_folder && is_page)
+        throw UsageError("--output is '" + arguments.output.string() +
+                         "'; allowed with several scans: a folder, for a page each");
+    if (scans.into_folder && !arguments.with.empty())
         throw UsageError("--with is '" + arguments.with.front().name + "=" +
                          arguments.with.front().path.string() + "'; allowed: only with one scan");
 }
@@ -131,7 +150,8 @@ void compare_all(const CompareArguments& arguments, const std::vector<fs::path>&
         }
         catch (const Error& error)
         {
-            failures.push_back(scan.string() + ": " + error.what());
+            const std::string reason = error.what();
+            failures.push_back(reason.starts_with(scan.string()) ? reason : scan.string() + ": " + reason);
         }
     }
     if (!pages.empty())
@@ -146,7 +166,7 @@ void compare_all(const CompareArguments& arguments, const std::vector<fs::path>&
 
 void run_compare_command(const CompareArguments& arguments)
 {
-    const std::vector<fs::path> scans = scans_of(arguments.inputs);
+    const Scans scans = scans_of(arguments.inputs);
     check_arguments(arguments, scans);
     const OneThread one_thread; // contestants are forks of this process
     std::optional<VirtualDisplay> display;
@@ -155,10 +175,10 @@ void run_compare_command(const CompareArguments& arguments)
     const std::optional<std::string> no_pictures = display ? display->failure() : std::nullopt;
     if (no_pictures)
         print_warnings({"no pictures: " + *no_pictures});
-    if (scans.size() > 1)
-        return compare_all(arguments, scans, no_pictures);
+    if (scans.into_folder)
+        return compare_all(arguments, scans.paths, no_pictures);
     check_writable(arguments.output);
-    compare_into({arguments.output}, arguments, scans.front(), no_pictures);
+    compare_into({arguments.output}, arguments, scans.paths.front(), no_pictures);
 }
 
 } // namespace voroprobe

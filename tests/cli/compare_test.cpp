@@ -86,6 +86,32 @@ TEST_F(CompareTest, several_scans_get_a_page_each_and_an_index)
     EXPECT_NE(index.find("<td>2 of 2</td>"), std::string::npos);
 }
 
+TEST_F(CompareTest, a_folder_of_one_volume_gets_a_folder_as_well_and_a_page_is_none)
+{
+    std::filesystem::create_directory(folder_.path() / "scans");
+    std::filesystem::copy_file(folder_.path() / "ball.mha", folder_.path() / "scans/a.mha");
+    const std::vector<std::string> options{
+        "--isovalue", "0",  "--sweep-seconds", "0",         "--pictures", "off", "--samples",
+        "500",        "-q", "--contestants",   "voroprobe", "-o"};
+    const auto into = [&](const std::string& output)
+    {
+        std::vector<std::string> arguments{"compare", folder_ / "scans"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        arguments.push_back(folder_ / output);
+        return program::run(arguments);
+    };
+    EXPECT_EQ(into("pages").status, 0);
+    EXPECT_TRUE(std::filesystem::exists(folder_.path() / "pages" / "a.html"));
+    EXPECT_TRUE(std::filesystem::exists(folder_.path() / "pages" / "index.html"));
+
+    const auto page = into("pages.html");
+    EXPECT_EQ(page.status, 2);
+    EXPECT_TRUE(is_one_error_line(page.err)) << page.err;
+    EXPECT_NE(page.err.find("pages.html'; allowed with several scans: a folder"), std::string::npos)
+        << page.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "pages.html"));
+}
+
 TEST_F(CompareTest, a_scan_that_cannot_be_read_does_not_keep_the_others_from_their_pages)
 {
     program::write_text(folder_.path() / "broken.mha", "nothing");
@@ -94,6 +120,7 @@ TEST_F(CompareTest, a_scan_that_cannot_be_read_does_not_keep_the_others_from_the
                                        "--contestants", "voroprobe", "-o", folder_ / "pages"});
     EXPECT_EQ(outcome.status, 3);
     EXPECT_NE(outcome.err.find("broken.mha"), std::string::npos);
+    EXPECT_EQ(outcome.err.find("broken.mha: " + folder_ / "broken.mha"), std::string::npos) << outcome.err;
     EXPECT_TRUE(std::filesystem::exists(folder_.path() / "pages" / "ball.html"));
 }
 
