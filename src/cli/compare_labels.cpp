@@ -71,11 +71,9 @@ void check_compared_labels(const CompareArguments& arguments, const std::filesys
     check_label_arguments(mesh_arguments(arguments, path));
     if (!labels.wanted())
         return;
-    if (labels.shared_interfaces || (labels.smoothing && labels.smoothing->method == SmoothingMethod::kJoint))
+    if (labels.smoothing && labels.smoothing->method == SmoothingMethod::kJoint)
         throw UsageError("labels that share interfaces are not compared; allowed: --smooth none, gaussian or "
                          "antialias");
-    if (labels.names)
-        throw UsageError("--names does not go with compare: its page tells labels by their numbers");
     if (!arguments.with.empty())
         throw UsageError("--with does not go with --labels");
     if (entries_of(arguments).empty())

@@ -53,6 +53,11 @@ void add_label_options(CLI::App& command, LabelArguments& arguments)
     group.text("--smooth", "none|gaussian:SIGMA|antialias|joint",
                "How the staircase of voxels is smoothed; SIGMA in mm (default\ngaussian: SIGMA 1 m)",
                [&arguments](const std::string& given) { arguments.smoothing = parse_smoothing(given); });
+}
+
+void add_label_mesh_options(CLI::App& command, LabelArguments& arguments)
+{
+    OptionGroup group(command, "Label maps");
     command
         .add_flag("--shared-interfaces", arguments.shared_interfaces,
                   "Neighbours have the same triangles where they touch (--smooth\njoint says the same)")

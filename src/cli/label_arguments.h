@@ -14,7 +14,7 @@ class App;
 namespace voroprobe
 {
 
-//! What the user says of a label map to `voroprobe mesh --labels`.
+//! What the user says of a label map to `voroprobe mesh --labels` and `voroprobe compare --labels`.
 struct LabelArguments
 {
     std::optional<std::string> labels = std::nullopt;       //!< as LabelRanges takes it; unset: no label map
@@ -27,7 +27,11 @@ struct LabelArguments
     [[nodiscard]] bool wanted() const { return labels.has_value(); }
 };
 
-//! Declares the options; `arguments` must outlive the parsing and holds the values after it.
+//! Declares the options of every command that meshes label maps; `arguments` must outlive the parsing and
+//! holds the values after it.
 void add_label_options(CLI::App& command, LabelArguments& arguments);
+
+//! Likewise those of `voroprobe mesh` alone.
+void add_label_mesh_options(CLI::App& command, LabelArguments& arguments);
 
 } // namespace voroprobe

@@ -124,6 +124,7 @@ void add_mesh_arguments(CLI::App& command, MeshArguments& arguments)
         ->type_name("");
     add_surface_options(command, arguments);
     add_label_options(command, arguments.label_map);
+    add_label_mesh_options(command, arguments.label_map);
     add_criteria(command, arguments);
     add_selection(command, arguments);
     add_finish_options(command, arguments.finish, OffersSmoothing::kNo);
