@@ -5,6 +5,7 @@
 #include <cstring>
 #include <fstream>
 #include <map>
+#include <ostream>
 
 #include <gtest/gtest.h>
 
@@ -39,6 +40,12 @@ struct Scan
     double min;
     double max;
 };
+
+//! How tests name it where they are skipped; gtest would show its bytes.
+void PrintTo(const Scan& scan, std::ostream* out)
+{
+    *out << scan.name;
+}
 
 //! As measured by others when the scans were collected.
 const std::vector<Scan>& scans()
