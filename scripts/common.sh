@@ -1,8 +1,10 @@
-# Shared by the scripts of this folder: source it. Sets `top`, the top of the repository, and `jobs`.
+# Shared by the scripts of this folder: source it. Sets `top`, the top of the repository, `preset`, `build`, its folder, and
+# `jobs`.
 # shellcheck shell=bash
 
 top="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
-build="$top/build/release"
+preset=release
+build="$top/build/$preset"
 
 # Compilations at once: one per processor, but each may take 2 GB (CGAL and ITK are templates all the way down).
 count_jobs()
@@ -34,10 +36,13 @@ quietly()
     fi
 }
 
-# configure [CMAKE ARGUMENTS...]: the release preset, with ccache where there is one.
+# configure [CMAKE ARGUMENTS...]: the preset, with ccache where there is one.
 configure()
 {
-    local arguments=(--preset release -S "$top" -B "$build" "$@")
+    local arguments=(--preset "$preset" -S "$top" -B "$build" "$@")
+    if [ ! -e "$build/CMakeCache.txt" ]; then
+        echo "Building in $build: the first time takes ten to twenty minutes on two cores."
+    fi
     if command -v ccache >/dev/null; then
         arguments+=(-D CMAKE_C_COMPILER_LAUNCHER=ccache -D CMAKE_CXX_COMPILER_LAUNCHER=ccache)
     fi
@@ -52,6 +57,22 @@ compile()
         arguments+=(--target "$@")
     fi
     quietly "building" cmake "${arguments[@]}"
+}
+
+# run_tests [ARGUMENTS OF CTEST...]: shows ctest's count, and of tests that failed what they printed. A run without tests fails.
+run_tests()
+{
+    local log status=0
+    log="$(mktemp)"
+    (cd -- "$top" && ctest --no-tests=error --no-label-summary --parallel 2 --output-on-failure --label-exclude nightly "$@") \
+        </dev/null >"$log" 2>&1 || status=1
+    if [ "$status" -eq 0 ]; then
+        sed -n '/tests passed/,$p' "$log" # the count, the time, and which tests were skipped
+    else
+        grep --invert-match --extended-regexp '^ +Start +[0-9]+:| Passed +[0-9.]+ sec$' -- "$log" >&2
+    fi
+    rm -f -- "$log"
+    return "$status"
 }
 
 # require_clang_tool NAME: ends with 77, which ctest counts as skipped, unless the version is there that the tree is kept
