@@ -12,6 +12,7 @@
 #include "io/volume_reader.h"
 #include "mesher/seeded_mesher.h"
 #include "oracles/trilinear_oracle.h"
+#include "support/stopwatch.h"
 
 namespace voroprobe::bench
 {
@@ -28,6 +29,7 @@ struct Options
     double reach = 0.0; //!< 0: the shortest side of a voxel
     double domain_scale = 1.0;
     bool without_skipping = false;
+    std::size_t threads = 1;
     std::size_t repeat = 3;
 };
 
@@ -63,21 +65,52 @@ MeshingOptions meshing_options(const Options& options, double voxel_side)
                            .floor_radius = 0.25 * voxel_side,
                            .reach_lower_bound = options.reach > 0.0 ? options.reach : voxel_side};
     meshing.certified_skipping = !options.without_skipping;
+    meshing.threads = options.threads;
     return meshing;
+}
+
+struct Seconds
+{
+    double processor = 0.0; //!< of all threads: other programs disturb it less than the clock on the wall
+    double wall = 0.0;
+};
+
+Seconds least(const Seconds& a, const Seconds& b)
+{
+    return {std::min(a.processor, b.processor), std::min(a.wall, b.wall)};
 }
 
 struct Run
 {
     MeshingStatistics statistics;
-    double processor_s = 0.0; //!< of the whole run: other programs disturb it less than the clock on the wall
+    Seconds seconds;
 };
 
 Run run_once(const SurfaceOracle& oracle, const MeshingOptions& meshing)
 {
     const std::clock_t begin = std::clock();
+    const Stopwatch stopwatch;
     const MeshingStatistics statistics = mesh_surface(oracle, meshing).statistics;
-    return {statistics, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC};
+    return {statistics, {static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, stopwatch.seconds()}};
 }
+
+//! The best of several runs without probing and with it, in turns.
+struct Comparison
+{
+    Seconds without{1e300, 1e300};
+    Seconds with{1e300, 1e300};
+    MeshingStatistics statistics; //!< with
+
+    void add_runs(const SurfaceOracle& oracle, MeshingOptions meshing)
+    {
+        meshing.seeding = Seeding::kIsolated;
+        without = least(without, run_once(oracle, meshing).seconds);
+        meshing.seeding = Seeding::kProbe;
+        const Run run = run_once(oracle, meshing);
+        with = least(with, run.seconds);
+        statistics = run.statistics;
+    }
+};
 
 //! Voronoi cells as the report counts them at worst: cubes as wide as the reach, each probed once.
 double cubes_of_the_bound(const Box3& domain, double reach)
@@ -86,24 +119,25 @@ double cubes_of_the_bound(const Box3& domain, double reach)
     return extent.x * extent.y * extent.z / (reach * reach * reach);
 }
 
-void print(const Run& best, double without_probing_s, double bound)
+void print(const Comparison& runs, double bound)
 {
-    const MeshingStatistics& with = best.statistics;
-    const double probing_s = best.processor_s - without_probing_s;
-    const double cells =
-        static_cast<double>(std::max<std::size_t>(1, with.cells_probed + with.cells_probed_at_once));
-    std::cout << "processor time: refinement " << without_probing_s << " s without probing; probing "
-              << probing_s << " s, ratio " << probing_s / without_probing_s << ", " << 1e6 * probing_s / cells
-              << " us per Voronoi cell\n"
-              << "  the report's bound, volume / reach^3: " << bound << " probes; spent "
-              << with.queries_probing << '\n'
-              << "  insertions " << with.insertions << "; Voronoi cells probed at once "
-              << with.cells_probed_at_once << ", probed " << with.cells_probed << "; queries "
-              << with.queries_probing << " (refinement " << with.queries_refinement << "), hits passed over "
-              << with.probe_hits_passed_over << ", inserted " << with.probe_hits
-              << "\n  components by probe(domain) " << with.components_by_initialization
-              << ", isolated vertices " << with.components_by_isolated_vertex << ", refinement "
-              << with.components_by_refinement << ", probing " << with.components_by_probing << '\n';
+    const MeshingStatistics& with = runs.statistics;
+    const auto print_times = [](const char* clock, double without_s, double with_s)
+    {
+        std::cout << clock << ": refinement " << without_s << " s without probing; probing "
+                  << with_s - without_s << " s, ratio " << (with_s - without_s) / without_s << '\n';
+    };
+    print_times("processor time", runs.without.processor, runs.with.processor);
+    print_times("wall clock", runs.without.wall, runs.with.wall);
+    std::cout << "  the report's bound, volume / reach^3: " << bound << " probes; spent "
+              << with.queries_probing << "\n  insertions " << with.insertions
+              << "; Voronoi cells probed at once " << with.cells_probed_at_once << ", probed "
+              << with.cells_probed << "; queries " << with.queries_probing << " (refinement "
+              << with.queries_refinement << "), hits passed over " << with.probe_hits_passed_over
+              << ", inserted " << with.probe_hits << "\n  components by probe(domain) "
+              << with.components_by_initialization << ", isolated vertices "
+              << with.components_by_isolated_vertex << ", refinement " << with.components_by_refinement
+              << ", probing " << with.components_by_probing << '\n';
 }
 
 int run(const Options& options)
@@ -112,19 +146,26 @@ int run(const Options& options)
     const Vec3& spacing = volume->geometry.spacing;
     const auto oracle = make_trilinear_oracle(volume, options.isovalue);
     const WiderOracle wider(*oracle, options.domain_scale);
-    MeshingOptions meshing = meshing_options(options, std::min({spacing.x, spacing.y, spacing.z}));
-    double least_without = 1e300;
-    std::optional<Run> best;
+    const MeshingOptions meshing = meshing_options(options, std::min({spacing.x, spacing.y, spacing.z}));
+    const WiderOracle in_its_box(*oracle, 1.0);
+    Comparison in_its_domain;
+    Comparison in_wider_domain;
     for (std::size_t i = 0; i < options.repeat; ++i)
     {
-        meshing.seeding = Seeding::kIsolated;
-        least_without = std::min(least_without, run_once(wider, meshing).processor_s);
-        meshing.seeding = Seeding::kProbe;
-        const Run with = run_once(wider, meshing);
-        if (!best || with.processor_s < best->processor_s)
-            best = with;
+        in_its_domain.add_runs(in_its_box, meshing);
+        if (options.domain_scale != 1.0)
+            in_wider_domain.add_runs(wider, meshing);
     }
-    print(*best, least_without, cubes_of_the_bound(wider.domain(), meshing.reach_lower_bound));
+    std::cout << "reach " << meshing.reach_lower_bound << " mm, threads " << options.threads << '\n';
+    print(in_its_domain, cubes_of_the_bound(in_its_box.domain(), meshing.reach_lower_bound));
+    if (options.domain_scale != 1.0)
+    {
+        std::cout << "in a domain " << options.domain_scale << " times longer in each direction:\n";
+        print(in_wider_domain, cubes_of_the_bound(wider.domain(), meshing.reach_lower_bound));
+        std::cout << "refinement and probing, wider domain / its own: processor time "
+                  << in_wider_domain.with.processor / in_its_domain.with.processor << ", wall clock "
+                  << in_wider_domain.with.wall / in_its_domain.with.wall << '\n';
+    }
     return 0;
 }
 
@@ -145,6 +186,7 @@ int main(int argc, char** argv)
         ->capture_default_str();
     app.add_flag("--without-skipping", options.without_skipping,
                  "spend the paper's probes on empty space too");
+    app.add_option("--threads", options.threads)->capture_default_str();
     app.add_option("--repeat", options.repeat, "runs; the quickest counts")->capture_default_str();
     CLI11_PARSE(app, argc, argv);
     try

@@ -54,12 +54,6 @@ private:
     double bound_;
 };
 
-Box3 intersection(const Box3& a, const Box3& b)
-{
-    return {{std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y), std::max(a.min.z, b.min.z)},
-            {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y), std::min(a.max.z, b.max.z)}};
-}
-
 } // namespace
 
 ImplicitOracle::ImplicitOracle(Function function, const Box3& domain, double lipschitz_bound,

@@ -42,6 +42,13 @@ struct Box3
     }
 };
 
+//! What two boxes have in common; empty where that is nothing.
+constexpr Box3 intersection(const Box3& a, const Box3& b)
+{
+    return {{std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y), std::max(a.min.z, b.min.z)},
+            {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y), std::min(a.max.z, b.max.z)}};
+}
+
 //! Parameters of the part of `segment` inside `box`, 0 <= first <= second <= 1; nullopt when they do not
 //! meet. Exact comparisons of rounded parameters: the ends lie on the box to within rounding of the segment's
 //! length. Cost: O(1). Source: Kay & Kajiya 1986 (slabs).

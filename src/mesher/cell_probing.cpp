@@ -5,12 +5,16 @@
 
 #include <CGAL/iterator.h>
 
+#include "mesher/cell_prober.h"
+
 namespace voroprobe
 {
 namespace
 {
 
-constexpr std::size_t kCellsBetweenLooks = 1024; // for whether to stop
+// Cells probed side by side between looks for whether to stop, and those of them that one thread has in a row.
+constexpr std::size_t kCellsBetweenLooks = 16384;
+constexpr std::size_t kCellsInARow = 256;
 
 ProbedDomain probed_domain(const SurfaceOracle& oracle, const MeshingOptions& options)
 {
@@ -23,11 +27,12 @@ ProbedDomain probed_domain(const SurfaceOracle& oracle, const MeshingOptions& op
 } // namespace
 
 CellProbing::CellProbing(RestrictedDelaunay& restricted, const MeshingOptions& options,
-                         MeshingStatistics& statistics, const ProgressSink& stop)
-    : restricted_(restricted), options_(options), statistics_(statistics),
+                         const Workers& workers, MeshingStatistics& statistics, const ProgressSink& stop)
+    : restricted_(restricted), options_(options), workers_(workers), statistics_(statistics),
       domain_(probed_domain(restricted.oracle(), options)),
       probe_radius_(options.component_radius.value_or(options.reach_lower_bound)),
       probing_(restricted.oracle(), probe_radius_, counts_, stop), slab_probing_(probing_),
+      mesh_(restricted, options.reach_lower_bound),
       is_news_([this](const Point3& crossing) { return is_news(crossing); })
 {
 }
@@ -64,11 +69,10 @@ void CellProbing::update_statistics()
 
 std::optional<ProbeHit> CellProbing::probe_cells_until_hit()
 {
-    facets_of_ = {}; // the mesh has changed since
     collect_unprobed_cells();
     const auto size_now = [&](VertexHandle vertex)
     {
-        voronoi_cell_.assign(restricted_, vertex);
+        voronoi_cell_.assign(vertex);
         return voronoi_cell_.size_within(domain_.box);
     };
     while (!unprobed_cells_.empty() && !probing_.stop_requested())
@@ -85,51 +89,61 @@ std::optional<ProbeHit> CellProbing::probe_cells_until_hit()
     return std::nullopt;
 }
 
-// The cells of the vertices inserted since the last time. Those that can be probed at once, and without a
-// hit, are: when that is done changes nothing, and here they are warm in the cache.
+// The cells of the vertices inserted since the last time. Those that few probes are enough for, without a hit
+// that the mesh around the vertex does not explain, are probed at once: when that is done changes nothing,
+// they take no turns, and threads can do it side by side.
 void CellProbing::collect_unprobed_cells()
 {
-    std::size_t count = 0;
-    for (const VertexHandle vertex : restricted_.take_unprobed_vertices())
+    const std::vector<VertexHandle> vertices = restricted_.take_unprobed_vertices();
+    for (std::size_t begin = 0; begin < vertices.size() && !probing_.stop_requested();
+         begin += kCellsBetweenLooks)
+        probe_by_few(vertices, begin, std::min(begin + kCellsBetweenLooks, vertices.size()));
+    update_statistics();
+}
+
+void CellProbing::probe_by_few(const std::vector<VertexHandle>& vertices, std::size_t begin, std::size_t end)
+{
+    std::vector<std::optional<double>> size_unless_probed(end - begin);
+    const std::size_t rows = (end - begin + kCellsInARow - 1) / kCellsInARow;
+    std::vector<ProbeCounts> counts(rows);
+    const auto probe_row = [&](std::size_t row)
     {
-        voronoi_cell_.assign(restricted_, vertex);
-        const bool is_probed =
-            options_.certified_skipping ? probe_with_few_probes() : is_probed_by_its_edges();
-        if (probing_.was_stopped() || (++count % kCellsBetweenLooks == 0 && probing_.stop_requested()))
-            return;
-        if (is_probed)
+        CellProber prober(restricted_, domain_, probe_radius_, options_.reach_lower_bound);
+        for (std::size_t c = row * kCellsInARow; c < std::min((row + 1) * kCellsInARow, end - begin); ++c)
+        {
+            const VertexHandle vertex = vertices[begin + c];
+            const bool is_probed = options_.certified_skipping ? prober.probe_by_few(vertex)
+                                                               : prober.is_probed_by_its_edges(vertex);
+            if (!is_probed)
+                size_unless_probed[c] = prober.size();
+        }
+        counts[row] = prober.counts();
+    };
+    workers_.for_each(rows, probe_row, 1);
+    for (std::size_t c = 0; c < size_unless_probed.size(); ++c)
+    {
+        const VertexHandle vertex = vertices[begin + c];
+        if (size_unless_probed[c])
+            unprobed_cells_.push(vertex, *size_unless_probed[c]);
+        else
         {
             ++statistics_.cells_probed_at_once;
             vertex->info().cell_probed = true;
         }
-        else
-            unprobed_cells_.push(vertex, voronoi_cell_.size_within(domain_.box));
     }
-    update_statistics();
-}
-
-bool CellProbing::probe_with_few_probes()
-{
-    voronoi_cell_.outline(domain_, outline_);
-    return slab_probing_.probe(outline_, is_news_, SlabProbing::Effort::kFewProbes) ==
-           SlabProbing::Outcome::kProbed;
-}
-
-// Whether every point of the cell is near one of its edges: refinement has asked about all Voronoi edges. See
-// SlabProbing for the proof.
-bool CellProbing::is_probed_by_its_edges() const
-{
-    return voronoi_cell_.is_within(domain_) && voronoi_cell_.cylinder().radius <= probe_radius_;
+    for (const ProbeCounts& of_row : counts)
+        counts_ += of_row;
 }
 
 std::optional<Point3> CellProbing::probe_cell(VertexHandle vertex)
 {
     ++statistics_.cells_probed;
-    voronoi_cell_.assign(restricted_, vertex);
+    voronoi_cell_.assign(vertex);
+    mesh_.assign(voronoi_cell_.site(), voronoi_cell_.star());
     std::optional<Point3> hit;
     if (options_.certified_skipping)
     {
-        voronoi_cell_.outline(domain_, outline_);
+        voronoi_cell_.clipped_outline(domain_, outline_);
         hit = probe_slabs(is_news_);
     }
     else
@@ -146,19 +160,13 @@ std::optional<Point3> CellProbing::probe_cell(VertexHandle vertex)
 // at the crossing would be inside one of its balls: it is in the conflict zone.
 bool CellProbing::is_news(const Point3& crossing)
 {
-    if (facets_of_ != voronoi_cell_.vertex())
-    {
-        facets_of_ = voronoi_cell_.vertex();
-        collect_close_facets(restricted_, voronoi_cell_.star(), options_.reach_lower_bound, facets_near_);
-    }
-    const double squared_reach = options_.reach_lower_bound * options_.reach_lower_bound;
-    if (squared_distance(crossing, voronoi_cell_.site()) < squared_reach ||
-        is_near(facets_near_, crossing, options_.reach_lower_bound))
+    if (mesh_.explains(crossing))
         return false;
 
     const auto& triangulation = restricted_.triangulation();
     const auto p = cgal_point(crossing);
     const DelaunayCell start = triangulation.locate(p, voronoi_cell_.vertex()->cell());
+    const double squared_reach = options_.reach_lower_bound * options_.reach_lower_bound;
     zone_.clear();
     triangulation.find_conflicts(p, start, CGAL::Emptyset_iterator(), std::back_inserter(zone_));
     for (const DelaunayCell delaunay_cell : zone_)

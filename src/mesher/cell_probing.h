@@ -12,6 +12,7 @@
 #include "mesher/slab_probing.h"
 #include "mesher/voronoi_cell.h"
 #include "support/progress.h"
+#include "support/workers.h"
 
 namespace voroprobe
 {
@@ -38,8 +39,8 @@ class CellProbing
 {
 public:
     //! All references must outlive the object. `stop` can end probing early.
-    CellProbing(RestrictedDelaunay& restricted, const MeshingOptions& options, MeshingStatistics& statistics,
-                const ProgressSink& stop);
+    CellProbing(RestrictedDelaunay& restricted, const MeshingOptions& options, const Workers& workers,
+                MeshingStatistics& statistics, const ProgressSink& stop);
     CellProbing(const CellProbing&) = delete; // is_news_ knows where it lives
     CellProbing& operator=(const CellProbing&) = delete;
 
@@ -54,8 +55,7 @@ public:
 
 private:
     void collect_unprobed_cells();
-    bool probe_with_few_probes();
-    [[nodiscard]] bool is_probed_by_its_edges() const;
+    void probe_by_few(const std::vector<VertexHandle>& vertices, std::size_t begin, std::size_t end);
     std::optional<Point3> probe_slabs(const IsNews& is_news);
     void update_statistics();
     std::optional<Point3> probe_cell(VertexHandle vertex);
@@ -63,6 +63,7 @@ private:
 
     RestrictedDelaunay& restricted_;
     MeshingOptions options_;
+    const Workers& workers_;
     MeshingStatistics& statistics_;
     ProbedDomain domain_;
     double probe_radius_; //!< every point is within this of a probe
@@ -73,8 +74,7 @@ private:
     ConvexRegion region_;
     ConvexOutline outline_;
     SlabProbing slab_probing_;
-    VertexHandle facets_of_; //!< whose facets are in facets_near_
-    FacetCorners facets_near_;
+    MeshAroundVertex mesh_; //!< around the vertex of voronoi_cell_
     FacetCorners facets_in_zone_;
     std::vector<DelaunayCell> zone_;
     IsNews is_news_; //!< of crossings in voronoi_cell_

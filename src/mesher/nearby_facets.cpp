@@ -43,6 +43,16 @@ bool is_near(const FacetCorners& facets, const Point3& p, double reach)
                        { return squared_distance_to_triangle(p, corners) < reach * reach; });
 }
 
+bool MeshAroundVertex::explains(const Point3& crossing)
+{
+    if (squared_distance(crossing, site_) < reach_ * reach_)
+        return true;
+    if (!is_collected_)
+        collect_close_facets(restricted_, *star_, reach_, facets_);
+    is_collected_ = true;
+    return is_near(facets_, crossing, reach_);
+}
+
 bool is_meshed(const RestrictedDelaunay& restricted, const Point3& p, double reach)
 {
     const auto& triangulation = restricted.triangulation();

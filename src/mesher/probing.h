@@ -24,6 +24,14 @@ struct ProbeCounts
     std::size_t queries = 0;          //!< segments asked about
     std::size_t hits_passed_over = 0; //!< crossings near the mesh
     std::size_t boxes_certified = 0;  //!< boxes the oracle certified to hold no surface: no probe there
+
+    ProbeCounts& operator+=(const ProbeCounts& other)
+    {
+        queries += other.queries;
+        hits_passed_over += other.hits_passed_over;
+        boxes_certified += other.boxes_certified;
+        return *this;
+    }
 };
 
 //! Whether a crossing is news: not passed over for being near the mesh.

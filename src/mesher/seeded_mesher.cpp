@@ -43,7 +43,8 @@ public:
           deadline_(progress, options.max_seconds),
           refinement_(restricted_, options_, workers_, statistics_, &deadline_),
           seed_candidates_(restricted_, options_, refinement_, statistics_),
-          cell_probing_(restricted_, options_, statistics_, deadline_), settlement_(restricted_, options_)
+          cell_probing_(restricted_, options_, workers_, statistics_, deadline_),
+          settlement_(restricted_, options_)
     {
     }
 

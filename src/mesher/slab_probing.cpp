@@ -19,14 +19,9 @@ constexpr double kNearSlab = 3.0;
 constexpr double kShortestSlab = 2.0 * kNearSlab;
 // Boxes of up to so many tiles get the paper's probes at once, wider ones are searched for what may hold
 // surface.
-constexpr std::size_t kFewTiles = 12;
+constexpr std::size_t kFewTiles = 40;
 // Largest number of leaves along a side: wider boxes than this would take hours.
 constexpr double kMostLeaves = 1U << 20U;
-
-Vec3 coordinates_along(const std::array<Vec3, 3>& axis, const Vec3& x)
-{
-    return {dot(axis[0], x), dot(axis[1], x), dot(axis[2], x)};
-}
 
 } // namespace
 
@@ -35,24 +30,50 @@ struct ProbeRing
 {
     std::size_t around;
     bool on_axis;
-    std::size_t queries; //!< with those that join them
 
-    //! Radius of the disks of a ring that covers a disk of radius 1: they stand on the sides of the polygon
-    //! inscribed into it.
+    [[nodiscard]] std::size_t count() const { return around + (on_axis ? 1 : 0); }
+
+    //! Radius of the disks that cover a disk of radius 1. Without one in the middle they stand on the sides
+    //! of the polygon inscribed into it; with one, neighbours meet on its circle and on the large one.
     [[nodiscard]] double disk_radius() const
     {
-        return std::sin(std::numbers::pi / static_cast<double>(around));
+        return on_axis ? 1.0 / (1.0 + 2.0 * std::cos(2.0 * angle())) : std::sin(angle());
     }
     [[nodiscard]] double ring_radius() const
     {
-        return std::cos(std::numbers::pi / static_cast<double>(around));
+        return std::cos(angle()) * (on_axis ? 2.0 * disk_radius() : 1.0);
     }
+
+private:
+    //! Half of that between neighbours.
+    [[nodiscard]] double angle() const { return std::numbers::pi / static_cast<double>(around); }
 };
 
 namespace
 {
 
-constexpr std::array<ProbeRing, 3> kProbeRings{{{3, false, 6}, {4, false, 7}, {6, true, 11}}};
+//! Of the corners of a box above an origin.
+std::array<double, 8> heights_of(const Box3& box, const Point3& origin, const Vec3& axis)
+{
+    std::array<double, 8> heights{};
+    for (std::size_t c = 0; c < heights.size(); ++c)
+    {
+        const Point3 corner{(c & 1U) != 0 ? box.max.x : box.min.x, (c & 2U) != 0 ? box.max.y : box.min.y,
+                            (c & 4U) != 0 ? box.max.z : box.min.z};
+        heights[c] = dot(axis, corner - origin);
+    }
+    return heights;
+}
+
+template <typename Heights>
+Slab slab_around(const Heights& heights)
+{
+    const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+    return {*low, *high};
+}
+
+constexpr std::array<ProbeRing, 6> kProbeRings{
+    {{3, false}, {4, false}, {6, true}, {7, true}, {8, true}, {9, true}}};
 
 //! The first ring of reach-wide disks that covers a disk.
 const ProbeRing* ring_for(double disk_radius, double reach)
@@ -66,93 +87,66 @@ const ProbeRing* ring_for(double disk_radius, double reach)
 
 } // namespace
 
-ConvexOutline domain_outline(const ProbedDomain& domain)
-{
-    ConvexOutline outline{domain.box.center(), {}};
-    for (const Segment3& edge : edges_of(domain.box))
-        outline.edges.push_back({edge.source - outline.origin, edge.target - outline.origin});
-    return outline;
-}
-
 SlabProbing::Outcome SlabProbing::probe(const ConvexOutline& outline, const IsNews& is_news, Effort effort)
 {
+    outline_ = &outline;
     is_news_ = &is_news;
     effort_ = effort;
+    certified_boxes_.clear();
     if (outline.edges.empty())
         return Outcome::kProbed; // it misses the domain
-    choose_axes(outline);
-    Slab all{edges_.front().source.z, edges_.front().source.z};
-    for (const Segment3& edge : edges_)
-        all = {std::min({all.low, edge.source.z, edge.target.z}),
-               std::max({all.high, edge.source.z, edge.target.z})};
-    return probe_slab(all);
+    choose_axes();
+    heights_.clear();
+    for (const Vec3& corner : outline.corners)
+        heights_.push_back(dot(axis_[2], corner));
+    const Slab all = slab_around(heights_);
+    const Slab domain = slab_around(heights_of(outline.bounds, outline.origin, axis_[2]));
+    const Slab slab{std::max(all.low, domain.low), std::min(all.high, domain.high)};
+    return slab.low <= slab.high ? probe_slab(slab) : Outcome::kProbed;
 }
 
 // The diameter, nearly: from the point farthest from the origin to the point farthest from that.
-void SlabProbing::choose_axes(const ConvexOutline& outline)
+void SlabProbing::choose_axes()
 {
-    const auto farthest_end = [&](const Point3& from)
-    {
-        Point3 farthest = from;
-        double squared = -1.0;
-        for (const Segment3& edge : outline.edges)
-        {
-            for (const Point3& end : {edge.source, edge.target})
-            {
-                const double other = squared_distance(end, from);
-                if (other > squared)
-                {
-                    squared = other;
-                    farthest = end;
-                }
-            }
-        }
-        return farthest;
-    };
-    const Point3 end = farthest_end({});
-    const Vec3 diameter = farthest_end(end) - end;
+    const Vec3 end = farthest_from(outline_->corners, {});
+    const Vec3 diameter = farthest_from(outline_->corners, end) - end;
     const Vec3 w = diameter == Vec3{} ? Vec3{0, 0, 1} : normalized(diameter);
     const auto [u, v] = orthonormal_basis(w);
     axis_ = {u, v, w};
-    origin_ = outline.origin;
-    edges_.clear();
-    for (const Segment3& edge : outline.edges)
-        edges_.push_back({coordinates_along(axis_, edge.source), coordinates_along(axis_, edge.target)});
 }
 
 SlabProbing::Outcome SlabProbing::probe_slab(const Slab& slab)
 {
-    clip_to(slab);
-    if (points_.empty())
+    collect_points(*outline_, heights_, slab, points_);
+    if (points_.empty() || certify_points())
         return Outcome::kProbed;
-    Vec3 low = points_.front();
-    Vec3 high = low;
-    for (const Vec3& p : points_)
-    {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    }
-    const Vec3 middle = 0.5 * (low + high);
+    const Box3 box = box_of_points();
+    const Vec3 middle = box.center();
     const double radius = radius_around(middle);
     if (radius <= reach_)
         return Outcome::kProbed;
-    if (probing_.certify(world_box_of_points()))
-        return Outcome::kProbed;
     if (radius <= std::numbers::sqrt2 * reach_)
-        return probe_axis({low.z, high.z}, middle);
+        return probe_axis(slab, middle);
     if (slab.high - slab.low > kShortestSlab * reach_)
-    {
-        const double at = cut(slab);
-        const Outcome outcome = probe_slab({slab.low, at});
-        return outcome == Outcome::kProbed ? probe_slab({at, slab.high}) : outcome;
-    }
-    hub_ = points_.front();
-    const Box3 box{low, high};
+        return probe_halves(slab);
+    hub_ = local_points_.front();
     set_leaves(box);
     const ProbeRing* ring = ring_for(std::sqrt(radius * radius - reach_ * reach_), reach_);
-    if (ring != nullptr && ring->queries < tile_queries())
-        return probe_ring({low.z, high.z}, middle, radius, *ring);
-    return probe_box(box);
+    if (ring != nullptr && ring->count() < leaves_[0] * leaves_[1])
+        return probe_ring(slab, middle, radius, *ring);
+    return probe_box(slab, box);
+}
+
+// The half away from the site first: where that is certified it joins the probes of the other.
+SlabProbing::Outcome SlabProbing::probe_halves(const Slab& slab)
+{
+    const double at = cut(slab);
+    Slab first{slab.low, at};
+    Slab second{at, slab.high};
+    if (at > 0.0)
+        std::swap(first, second);
+    const Outcome outcome = probe_slab(first);
+    return outcome == Outcome::kProbed ? probe_slab(second) : outcome;
 }
 
 // Where to cut a slab in two: beyond the surface at the site if that is in it, in the middle otherwise.
@@ -167,85 +161,91 @@ double SlabProbing::cut(const Slab& slab) const
     return 0.5 * (slab.low + slab.high);
 }
 
-// The ends of the edges' parts in the slab.
-void SlabProbing::clip_to(const Slab& slab)
-{
-    points_.clear();
-    for (const Segment3& edge : edges_)
-    {
-        const auto [low, high] = std::minmax(edge.source.z, edge.target.z);
-        if (high < slab.low || low > slab.high)
-            continue;
-        const double rise = edge.target.z - edge.source.z;
-        for (const Vec3& end : {edge.source, edge.target})
-        {
-            const double z = std::clamp(end.z, slab.low, slab.high);
-            points_.push_back(z == end.z ? end : edge.at((z - edge.source.z) / rise));
-        }
-    }
-}
-
-Box3 SlabProbing::world_box_of_points() const
+bool SlabProbing::certify_points()
 {
     Box3 box;
     for (const Vec3& p : points_)
-        box.include(world(p));
+        box.include(p);
+    certified_boxes_.push_back(box);
+    const Box3 in_world{outline_->origin + box.min, outline_->origin + box.max};
+    const Box3 in_domain = intersection(in_world, outline_->bounds);
+    if (in_domain.empty() || probing_.certify(in_domain))
+        return true;
+    certified_boxes_.pop_back();
+    return false;
+}
+
+// In coordinates along the axes.
+Box3 SlabProbing::box_of_points()
+{
+    Box3 box;
+    local_points_.clear();
+    for (const Vec3& p : points_)
+    {
+        local_points_.push_back({dot(axis_[0], p), dot(axis_[1], p), dot(axis_[2], p)});
+        box.include(local_points_.back());
+    }
     return box;
 }
 
 double SlabProbing::radius_around(const Vec3& middle) const
 {
     double squared = 0.0;
-    for (const Vec3& p : points_)
+    for (const Vec3& p : local_points_)
         squared =
             std::max(squared, (p.x - middle.x) * (p.x - middle.x) + (p.y - middle.y) * (p.y - middle.y));
     return std::sqrt(squared);
 }
 
-// Along the axis, and from it straight to the nearest point of an edge that is known.
-SlabProbing::Outcome SlabProbing::probe_axis(const Slab& slab, const Vec3& middle)
+bool SlabProbing::is_in_certified_box(const Vec3& c) const
 {
-    const auto on_axis = [&](double z) { return Vec3{middle.x, middle.y, z}; };
-    const Outcome outcome = query(on_axis(slab.low), on_axis(slab.high));
-    if (outcome != Outcome::kProbed)
-        return outcome;
-    const Vec3& end =
-        *std::min_element(points_.begin(), points_.end(),
-                          [&](const Vec3& a, const Vec3& b)
-                          { return squared_norm(a - on_axis(a.z)) < squared_norm(b - on_axis(b.z)); });
-    return query(on_axis(end.z), end);
+    const Vec3 p = relative(c);
+    return std::any_of(certified_boxes_.begin(), certified_boxes_.end(),
+                       [&](const Box3& box) { return box.contains(p); });
 }
 
-// The probes of the ring, those that join opposite ones, or neighbours where there are three, and one to an
-// edge.
+// A probe across the slab, and another one straight to the joint unless it is joined at its ends.
+SlabProbing::Outcome SlabProbing::probe_along(const Slab& slab, const Vec3& foot, const Vec3& joint)
+{
+    const auto at_height = [&](double z) { return Vec3{foot.x, foot.y, z}; };
+    const Outcome outcome = query(at_height(slab.low), at_height(slab.high));
+    if (outcome != Outcome::kProbed || is_in_certified_box(at_height(slab.low)) ||
+        is_in_certified_box(at_height(slab.high)))
+        return outcome;
+    return query(at_height(joint.z), joint);
+}
+
+// Along the axis, joined to the nearest point of an edge that is known.
+SlabProbing::Outcome SlabProbing::probe_axis(const Slab& slab, const Vec3& middle)
+{
+    const auto squared_distance_to_axis = [&](const Vec3& p)
+    { return (p.x - middle.x) * (p.x - middle.x) + (p.y - middle.y) * (p.y - middle.y); };
+    const Vec3& nearest =
+        *std::min_element(local_points_.begin(), local_points_.end(),
+                          [&](const Vec3& a, const Vec3& b)
+                          { return squared_distance_to_axis(a) < squared_distance_to_axis(b); });
+    return probe_along(slab, middle, nearest);
+}
+
+// The probes of the ring, each joined to the one before.
 SlabProbing::Outcome SlabProbing::probe_ring(const Slab& slab, const Vec3& middle, double radius,
                                              const ProbeRing& ring)
 {
     const double at = ring.ring_radius() * std::sqrt(radius * radius - reach_ * reach_);
-    const auto foot = [&](std::size_t k, double z)
+    const double height = 0.5 * (slab.low + slab.high);
+    Vec3 joint = hub_;
+    for (std::size_t k = 0; k < ring.count(); ++k)
     {
         const double angle =
             2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(ring.around);
-        return Vec3{middle.x + at * std::cos(angle), middle.y + at * std::sin(angle), z};
-    };
-    for (std::size_t k = 0; k < ring.around; ++k)
-    {
-        if (query(foot(k, slab.low), foot(k, slab.high)) == Outcome::kNews)
-            return Outcome::kNews;
+        const double out = k < ring.around ? at : 0.0; // the last one may be on the axis
+        const Vec3 foot{middle.x + out * std::cos(angle), middle.y + out * std::sin(angle), height};
+        const Outcome outcome = probe_along(slab, foot, joint);
+        if (outcome != Outcome::kProbed)
+            return outcome;
+        joint = foot;
     }
-    if (ring.on_axis &&
-        query({middle.x, middle.y, slab.low}, {middle.x, middle.y, slab.high}) == Outcome::kNews)
-        return Outcome::kNews;
-    const double height = 0.5 * (slab.low + slab.high);
-    const bool has_opposite = ring.around % 2 == 0;
-    const std::size_t joining = has_opposite ? ring.around / 2 : ring.around - 1;
-    for (std::size_t k = 0; k < joining; ++k)
-    {
-        const std::size_t other = has_opposite ? k + ring.around / 2 : k + 1;
-        if (query(foot(k, height), foot(other, height)) == Outcome::kNews)
-            return Outcome::kNews;
-    }
-    return query(foot(0, height), hub_);
+    return Outcome::kProbed;
 }
 
 // Cuts a box into leaves not wider than the tiles of Probing.
@@ -265,43 +265,33 @@ void SlabProbing::set_leaves(const Box3& box)
     }
 }
 
-std::size_t SlabProbing::tile_queries() const
-{
-    const auto [columns, rows, layers] = leaves_;
-    return columns * rows + (columns > 1 ? rows : 0) + (rows > 1 ? 1 : 0) + 1;
-}
-
-SlabProbing::Outcome SlabProbing::probe_box(const Box3& box)
+SlabProbing::Outcome SlabProbing::probe_box(const Slab& slab, const Box3& box)
 {
     if (leaves_[0] * leaves_[1] <= kFewTiles)
-        return probe_tiles(box);
+        return probe_tiles(slab, box);
     return effort_ == Effort::kFewProbes ? Outcome::kUnfinished : probe_leaves({{0, 0, 0}, leaves_});
 }
 
-// One probe through the middle of each tile from end to end, one across each row of them, and one across the
-// rows.
-SlabProbing::Outcome SlabProbing::probe_tiles(const Box3& box)
+// One probe through the middle of each tile from end to end, each joined to the one before.
+SlabProbing::Outcome SlabProbing::probe_tiles(const Slab& slab, const Box3& box)
 {
-    const auto& leaves = leaves_;
-    const double height = 0.5 * (box.min.z + box.max.z);
-    const auto middle = [&](std::size_t i, std::size_t j, double z)
+    Vec3 joint = hub_;
+    for (std::size_t j = 0; j < leaves_[1]; ++j)
     {
-        return Vec3{box.min.x + (static_cast<double>(i) + 0.5) * leaf_side_.x,
-                    box.min.y + (static_cast<double>(j) + 0.5) * leaf_side_.y, z};
-    };
-    for (std::size_t j = 0; j < leaves[1]; ++j)
-    {
-        for (std::size_t i = 0; i < leaves[0]; ++i)
+        for (std::size_t i = 0; i < leaves_[0]; ++i)
         {
-            if (query(middle(i, j, box.min.z), middle(i, j, box.max.z)) == Outcome::kNews)
-                return Outcome::kNews;
+            // Row by row, there and back.
+            const std::size_t column = j % 2 == 0 ? i : leaves_[0] - 1 - i;
+            const Vec3 middle{box.min.x + (static_cast<double>(column) + 0.5) * leaf_side_.x,
+                              box.min.y + (static_cast<double>(j) + 0.5) * leaf_side_.y,
+                              0.5 * (slab.low + slab.high)};
+            const Outcome outcome = probe_along(slab, middle, joint);
+            if (outcome != Outcome::kProbed)
+                return outcome;
+            joint = middle;
         }
-        if (leaves[0] > 1 && query(middle(0, j, height), middle(leaves[0] - 1, j, height)) == Outcome::kNews)
-            return Outcome::kNews;
     }
-    if (leaves[1] > 1 && query(middle(0, 0, height), middle(0, leaves[1] - 1, height)) == Outcome::kNews)
-        return Outcome::kNews;
-    return query(middle(0, 0, height), hub_);
+    return Outcome::kProbed;
 }
 
 // Halves what cannot be certified, on a grid of leaves: a leaf and the certified box, or the leaf, beyond one

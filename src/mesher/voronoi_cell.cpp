@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <cstdint>
+#include <limits>
 
 namespace voroprobe
 {
@@ -11,11 +12,15 @@ namespace
 
 // Points this near to a side of the domain, in its diagonals, lie on it: above rounding.
 constexpr double kOnSideInDiagonals = 1e-9;
+constexpr std::uint32_t kNoPlace = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t kFirstSlots = 64; // a power of two
+// The hash table of a star is at most half full.
+constexpr std::size_t kSlotsPerCell = 2;
 
-//! An order of points, so that each edge is met once.
-bool is_before(const Point3& a, const Point3& b)
+//! Where a cell lies in memory, without the bits that most have in common.
+std::size_t hash_of(DelaunayCell delaunay_cell)
 {
-    return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+    return reinterpret_cast<std::uintptr_t>(&*delaunay_cell) / sizeof(*delaunay_cell);
 }
 
 //! The part of the segment in all half-spaces; nullopt where there is none.
@@ -55,14 +60,59 @@ void append_box_edges(const Box3& box, ConvexRegion& region)
 
 } // namespace
 
-void VoronoiCell::assign(const RestrictedDelaunay& restricted, VertexHandle vertex)
+VoronoiCell::VoronoiCell() : places_(kFirstSlots, kNoPlace) {}
+
+// CGAL's incident_cells() marks cells while it walks, which only one thread at a time may do.
+void VoronoiCell::assign(VertexHandle vertex)
 {
     vertex_ = vertex;
     star_.clear();
-    restricted.triangulation().incident_cells(vertex, std::back_inserter(star_));
     corners_.clear();
-    for (const DelaunayCell delaunay_cell : star_)
+    edges_.clear();
+    std::fill(places_.begin(), places_.end(), kNoPlace);
+    place_in_star(vertex->cell());
+    for (std::uint32_t c = 0; c < star_.size(); ++c)
+    {
+        const DelaunayCell delaunay_cell = star_[c];
         corners_.push_back(delaunay_cell->info().circumcenter);
+        const int own = delaunay_cell->index(vertex);
+        for (int step = 1; step < 4; ++step)
+        {
+            const std::uint32_t other = place_in_star(delaunay_cell->neighbor((own + step) % 4));
+            if (c < other) // each edge from one end
+                edges_.push_back({c, other});
+        }
+    }
+}
+
+// Appends the cell where it is not in the star yet.
+std::uint32_t VoronoiCell::place_in_star(DelaunayCell delaunay_cell)
+{
+    const std::size_t slot_mask = places_.size() - 1;
+    std::size_t slot = hash_of(delaunay_cell) & slot_mask;
+    while (places_[slot] != kNoPlace && star_[places_[slot]] != delaunay_cell)
+        slot = (slot + 1) & slot_mask;
+    if (places_[slot] != kNoPlace)
+        return places_[slot];
+    prefetch(delaunay_cell);
+    const auto place = static_cast<std::uint32_t>(star_.size());
+    places_[slot] = place;
+    star_.push_back(delaunay_cell);
+    if (kSlotsPerCell * star_.size() > places_.size())
+        grow_places();
+    return place;
+}
+
+void VoronoiCell::grow_places()
+{
+    places_.assign(2 * places_.size(), kNoPlace);
+    for (std::uint32_t c = 0; c < star_.size(); ++c)
+    {
+        std::size_t slot = hash_of(star_[c]) & (places_.size() - 1);
+        while (places_[slot] != kNoPlace)
+            slot = (slot + 1) & (places_.size() - 1);
+        places_[slot] = c;
+    }
 }
 
 double VoronoiCell::size_within(const Box3& domain) const
@@ -131,22 +181,23 @@ void VoronoiCell::clip_to(const ProbedDomain& domain, ConvexRegion& region) cons
 
 void VoronoiCell::outline(const ProbedDomain& domain, ConvexOutline& outline) const
 {
+    outline.bounds = domain.box;
     outline.origin = site();
+    outline.corners.clear();
+    for (const Point3& corner : corners_)
+        outline.corners.push_back(corner - outline.origin);
+    outline.edges = edges_;
+}
+
+void VoronoiCell::clipped_outline(const ProbedDomain& domain, ConvexOutline& outline) const
+{
+    if (is_within({domain.box, std::nullopt}))
+        return this->outline(domain, outline);
+    outline.bounds = domain.box;
+    outline.origin = site();
+    outline.corners.clear();
     outline.edges.clear();
-    if (!is_within({domain.box, std::nullopt}))
-    {
-        append_clipped_outline(domain, outline);
-        return;
-    }
-    for (std::size_t c = 0; c < star_.size(); ++c)
-    {
-        for (int i = 0; i < 4; ++i)
-        {
-            const Point3& other = star_[c]->neighbor(i)->info().circumcenter;
-            if (star_[c]->vertex(i) != vertex_ && is_before(corners_[c], other)) // each edge from one end
-                outline.edges.push_back({corners_[c] - outline.origin, other - outline.origin});
-        }
-    }
+    append_clipped_outline(domain, outline);
 }
 
 // The Voronoi edges' parts in the domain, and on each side of the domain the segments between all points
@@ -162,7 +213,7 @@ void VoronoiCell::append_clipped_outline(const ProbedDomain& domain, ConvexOutli
         append_box_edges(domain.box, region);
     }
     for (std::size_t c = 0; c + 1 < region.corners.size(); c += 2)
-        outline.edges.push_back({region.corners[c], region.corners[c + 1]});
+        outline.add({region.corners[c], region.corners[c + 1]});
     const double rounding = kOnSideInDiagonals * domain.box.diagonal();
     std::vector<Point3> on_side;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -177,7 +228,7 @@ void VoronoiCell::append_clipped_outline(const ProbedDomain& domain, ConvexOutli
             }
             for (std::size_t a = 0; a < on_side.size(); ++a)
                 for (std::size_t b = 0; b < a; ++b)
-                    outline.edges.push_back({on_side[a], on_side[b]});
+                    outline.add({on_side[a], on_side[b]});
         }
     }
 }
@@ -209,16 +260,11 @@ void VoronoiCell::append_bisectors(ConvexRegion& region) const
 // Ends of the Voronoi edges' parts in the box.
 void VoronoiCell::append_edges_in(const Box3& box, ConvexRegion& region) const
 {
-    for (std::size_t c = 0; c < star_.size(); ++c)
+    for (const OutlineEdge& voronoi_edge : edges_)
     {
-        for (int i = 0; i < 4; ++i)
-        {
-            const Segment3 edge{corners_[c], star_[c]->neighbor(i)->info().circumcenter};
-            if (star_[c]->vertex(i) == vertex_ || !is_before(edge.source, edge.target))
-                continue; // each edge from one end
-            if (const auto range = clip_to_box(edge, box))
-                append_ends(edge, *range, region);
-        }
+        const Segment3 edge{corners_[voronoi_edge.from], corners_[voronoi_edge.to]};
+        if (const auto range = clip_to_box(edge, box))
+            append_ends(edge, *range, region);
     }
 }
 
@@ -229,26 +275,21 @@ bool VoronoiCell::may_meet_edges_of(const Box3& box) const
     const double rounding = kOnSideInDiagonals * box.diagonal();
     const Box3 within{box.min + Vec3{rounding, rounding, rounding},
                       box.max - Vec3{rounding, rounding, rounding}};
-    for (std::size_t c = 0; c < star_.size(); ++c)
+    for (const OutlineEdge& voronoi_edge : edges_)
     {
-        for (int i = 0; i < 4; ++i)
+        const Segment3 edge{corners_[voronoi_edge.from], corners_[voronoi_edge.to]};
+        for (std::size_t axis = 0; axis < 3; ++axis)
         {
-            const Segment3 edge{corners_[c], star_[c]->neighbor(i)->info().circumcenter};
-            if (star_[c]->vertex(i) == vertex_ || !is_before(edge.source, edge.target))
-                continue; // each edge from one end
-            for (std::size_t axis = 0; axis < 3; ++axis)
+            for (const double side : {box.min[axis], box.max[axis]})
             {
-                for (const double side : {box.min[axis], box.max[axis]})
-                {
-                    const double from = edge.source[axis] - side;
-                    const double to = edge.target[axis] - side;
-                    if ((from < 0.0) == (to < 0.0))
-                        continue;
-                    Point3 at = edge.at(from / (from - to));
-                    at[axis] = box.center()[axis];
-                    if (!within.contains(at))
-                        return true;
-                }
+                const double from = edge.source[axis] - side;
+                const double to = edge.target[axis] - side;
+                if ((from < 0.0) == (to < 0.0))
+                    continue;
+                Point3 at = edge.at(from / (from - to));
+                at[axis] = box.center()[axis];
+                if (!within.contains(at))
+                    return true;
             }
         }
     }

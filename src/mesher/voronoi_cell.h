@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
+#include "mesher/convex_outline.h"
 #include "mesher/convex_region.h"
-#include "mesher/restricted_delaunay.h"
-#include "mesher/slab_probing.h"
+#include "mesher/delaunay.h"
 
 namespace voroprobe
 {
@@ -20,8 +22,11 @@ struct Cylinder
 class VoronoiCell
 {
 public:
-    //! Takes the cell of a vertex that is no sentinel. Cost: O(its Delaunay cells), some 25.
-    void assign(const RestrictedDelaunay& restricted, VertexHandle vertex);
+    VoronoiCell();
+
+    //! Takes the cell of a vertex that is no sentinel. Writes nothing to the triangulation: several threads
+    //! may read it side by side. Cost: O(its Delaunay cells), some 25.
+    void assign(VertexHandle vertex);
 
     [[nodiscard]] VertexHandle vertex() const { return vertex_; }
     [[nodiscard]] Point3 site() const { return position(vertex_); }
@@ -42,13 +47,18 @@ public:
     //! A cylinder around the cell, along its longest extent.
     [[nodiscard]] Cylinder cylinder() const;
 
-    //! The cell clipped to the domain's box, by its edges. Replaces `outline`.
+    //! The whole cell by its edges, with the domain's box as bounds. Replaces `outline`.
     void outline(const ProbedDomain& domain, ConvexOutline& outline) const;
+
+    //! The cell clipped to the domain's box. Replaces `outline`.
+    void clipped_outline(const ProbedDomain& domain, ConvexOutline& outline) const;
 
     //! The cell clipped to the domain, relative to the site.
     void clip_to(const ProbedDomain& domain, ConvexRegion& region) const;
 
 private:
+    std::uint32_t place_in_star(DelaunayCell delaunay_cell);
+    void grow_places();
     void append_clipped_outline(const ProbedDomain& domain, ConvexOutline& outline) const;
     void append_bisectors(ConvexRegion& region) const;
     void append_edges_in(const Box3& box, ConvexRegion& region) const;
@@ -56,7 +66,9 @@ private:
 
     VertexHandle vertex_;
     std::vector<DelaunayCell> star_;
+    std::vector<std::uint32_t> places_; //!< hash table with open addresses: places in the star, or kNoPlace
     std::vector<Point3> corners_;
+    std::vector<OutlineEdge> edges_; //!< between corners
 };
 
 } // namespace voroprobe
