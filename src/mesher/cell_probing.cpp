@@ -12,7 +12,8 @@ namespace voroprobe
 namespace
 {
 
-// Cells probed side by side between looks for whether to stop, and those of them that one thread has in a row.
+// Cells probed side by side between looks for whether to stop, and those of them that one thread has in a
+// row.
 constexpr std::size_t kCellsBetweenLooks = 16384;
 constexpr std::size_t kCellsInARow = 256;
 

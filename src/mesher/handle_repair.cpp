@@ -17,7 +17,7 @@ constexpr int kPasses = 2;                    // each looks at what the one befo
 constexpr std::size_t kMostCells = 64;        // Delaunay cells that one neck may take
 constexpr std::size_t kLongestSearch = 3'000; // Delaunay cells looked at for a way around a change
 
-// Marks in DelaunayCellData::component begin here: above the components of any triangulation in memory.
+// Marks in DelaunayCellData::scratch begin here: above the cells of any triangulation in memory.
 constexpr std::uint32_t kFirstMark = 0x80000000U;
 
 void set_pinched_around(const std::vector<DelaunayCell>& cells)
@@ -340,26 +340,26 @@ private:
             for (int i = 0; i < 4; ++i)
             {
                 const DelaunayCell next = delaunay_cell->neighbor(i);
-                if (next->info().region != region || next->info().component == wanted)
+                if (next->info().region != region || next->info().scratch == wanted)
                     continue;
-                next->info().component = wanted;
+                next->info().scratch = wanted;
                 ++missing;
                 front = {next};
             }
         }
         if (missing == 0)
             return false; // nothing of it would be left here
-        front.front()->info().component = reached;
+        front.front()->info().scratch = reached;
         --missing;
         for (std::size_t at = 0; at < front.size() && missing > 0 && at < kLongestSearch; ++at)
         {
             for (int i = 0; i < 4; ++i)
             {
                 const DelaunayCell next = front[at]->neighbor(i);
-                if (next->info().region != region || next->info().component == reached)
+                if (next->info().region != region || next->info().scratch == reached)
                     continue;
-                missing -= next->info().component == wanted ? 1 : 0;
-                next->info().component = reached;
+                missing -= next->info().scratch == wanted ? 1 : 0;
+                next->info().scratch = reached;
                 front.push_back(next);
             }
         }

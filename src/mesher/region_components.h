@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesher/restricted_delaunay.h"
+#include "mesher/cell_table.h"
 
 namespace voroprobe
 {
@@ -14,12 +14,18 @@ struct RegionComponent
     Region region;
     double volume; //!< cubed scan units; infinite for the one that reaches to infinity; 0 for the only one of
                    //!< its region
-    DelaunayCell first; //!< one of its cells
+    CellTable::Number first; //!< one of its cells
 };
 
-//! Numbers the components of all regions and writes each cell's into DelaunayCellData::component. Cost:
-//! O(Delaunay cells).
-std::vector<RegionComponent> find_region_components(const Triangulation& triangulation);
+//! The components of all regions, and each cell's.
+struct RegionComponents
+{
+    std::vector<RegionComponent> components;
+    std::vector<std::uint32_t> of_cell; //!< index into components, by the cell's number
+};
+
+//! Cost: O(Delaunay cells).
+RegionComponents find_region_components(const CellTable& table);
 
 //! Of each component whether it is the largest of its region: the one that stands for it.
 std::vector<bool> largest_of_each_region(const std::vector<RegionComponent>& components);

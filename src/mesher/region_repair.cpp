@@ -29,6 +29,8 @@ constexpr double kPriceOfConflict = 8.0; // of the way through a cell next to a 
 constexpr int kCostOfConflict = 2;
 constexpr int kCostOfElsewhere = 1;
 
+using Number = CellTable::Number;
+constexpr auto kNoCell = std::numeric_limits<Number>::max();
 constexpr auto kNoComponent = std::numeric_limits<std::uint32_t>::max();
 
 //! A Delaunay cell reached on the way between two pieces of a region.
@@ -36,7 +38,7 @@ struct Step
 {
     double cost;
     std::size_t order; //!< ties go to what was reached first
-    DelaunayCell cell;
+    Number cell;
 
     [[nodiscard]] bool operator>(const Step& other) const
     {
@@ -47,8 +49,8 @@ struct Step
 class RegionRepair
 {
 public:
-    RegionRepair(RestrictedDelaunay& restricted, double floor_radius)
-        : oracle_(restricted.oracle()), triangulation_(restricted.triangulation()), floor_(floor_radius)
+    RegionRepair(const SurfaceOracle& oracle, CellTable& table, double floor_radius)
+        : oracle_(oracle), table_(table), floor_(floor_radius)
     {
     }
 
@@ -66,25 +68,33 @@ public:
 
     std::vector<Point3> gaps()
     {
-        components_ = find_region_components(triangulation_);
-        is_largest_ = largest_of_each_region(components_);
+        find_components();
         std::vector<Point3> places;
         for (std::uint32_t c = 0; c < components_.size(); ++c)
         {
-            const std::vector<DelaunayCell> cells =
-                is_largest_[c] ? std::vector<DelaunayCell>{} : cells_of(c);
+            const std::vector<Number> cells = is_largest_[c] ? std::vector<Number>{} : cells_of(c);
             if (cells.empty() || is_crumb(cells))
                 continue;
-            for (const DelaunayCell delaunay_cell : find_way(cells))
+            for (const Number cell : find_way(cells))
             {
-                if (delaunay_cell->info().region != components_[c].region)
-                    places.push_back(centroid(corner_positions(delaunay_cell)));
+                if (table_.region(cell) != components_[c].region)
+                    places.push_back(middle(cell));
             }
         }
         return places;
     }
 
 private:
+    void find_components()
+    {
+        RegionComponents found = find_region_components(table_);
+        components_ = std::move(found.components);
+        component_of_ = std::move(found.of_cell);
+        is_largest_ = largest_of_each_region(components_);
+    }
+
+    [[nodiscard]] Point3 middle(Number cell) const { return centroid(corner_positions(table_.cell(cell))); }
+
     //! Whether a facet between two regions is one the scan has, or none at all.
     [[nodiscard]] bool compatible(Region a, Region b) const
     {
@@ -112,11 +122,11 @@ private:
         return std::nullopt;
     }
 
-    [[nodiscard]] int conflicts(DelaunayCell delaunay_cell, Region region) const
+    [[nodiscard]] int conflicts(Number cell, Region region) const
     {
         int count = 0;
-        for (int i = 0; i < 4; ++i)
-            count += compatible(region, delaunay_cell->neighbor(i)->info().region) ? 0 : 1;
+        for (const Number next : table_.neighbors(cell))
+            count += compatible(region, table_.region(next)) ? 0 : 1;
         return count;
     }
 
@@ -127,17 +137,17 @@ private:
         std::size_t reconciled = 0;
         for (int sweep = 0; sweep < kSweeps; ++sweep)
         {
-            std::vector<DelaunayCell> conflicting;
+            std::vector<Number> conflicting;
             if (std::exchange(looked_at_all_, true))
                 conflicting = take_conflicting_cells();
             else
             {
-                for (const DelaunayCell delaunay_cell : triangulation_.finite_cell_handles())
-                    note_conflicts(delaunay_cell, conflicting);
+                for (Number cell = 0; cell < table_.size(); ++cell)
+                    note_conflicts(cell, conflicting);
             }
             std::size_t changed = 0;
-            for (const DelaunayCell delaunay_cell : conflicting)
-                changed += reconcile_with_neighbors(delaunay_cell) ? 1 : 0;
+            for (const Number cell : conflicting)
+                changed += reconcile_with_neighbors(cell) ? 1 : 0;
             reconciled += changed;
             if (changed == 0)
                 break;
@@ -146,75 +156,69 @@ private:
         return reconciled;
     }
 
-    void note_conflicts(DelaunayCell delaunay_cell, std::vector<DelaunayCell>& conflicting) const
+    void note_conflicts(Number cell, std::vector<Number>& conflicting) const
     {
-        if (conflicts(delaunay_cell, delaunay_cell->info().region) > 0)
-            conflicting.push_back(delaunay_cell);
+        if (!table_.is_infinite(cell) && conflicts(cell, table_.region(cell)) > 0)
+            conflicting.push_back(cell);
     }
 
     //! Among the cells looked at last and those changed since, with their neighbours.
-    std::vector<DelaunayCell> take_conflicting_cells()
+    std::vector<Number> take_conflicting_cells()
     {
-        std::vector<DelaunayCell> conflicting;
-        for (const DelaunayCell delaunay_cell : std::exchange(suspects_, {}))
-            note_conflicts(delaunay_cell, conflicting);
-        for (const DelaunayCell delaunay_cell : std::exchange(changed_, {}))
+        std::vector<Number> conflicting;
+        for (const Number cell : std::exchange(suspects_, {}))
+            note_conflicts(cell, conflicting);
+        for (const Number cell : std::exchange(changed_, {}))
         {
-            for (int i = 0; i < 4; ++i)
-            {
-                if (!triangulation_.is_infinite(delaunay_cell->neighbor(i)))
-                    note_conflicts(delaunay_cell->neighbor(i), conflicting);
-            }
-            note_conflicts(delaunay_cell, conflicting);
+            for (const Number next : table_.neighbors(cell))
+                note_conflicts(next, conflicting);
+            note_conflicts(cell, conflicting);
         }
         return conflicting;
     }
 
     //! Gives a cell with a facet that the scan does not have the region that leaves fewest such facets. Every
     //! change lowers their number.
-    bool reconcile_with_neighbors(DelaunayCell delaunay_cell)
+    bool reconcile_with_neighbors(Number cell)
     {
-        const Region own = delaunay_cell->info().region;
-        const int own_conflicts = conflicts(delaunay_cell, own);
+        const Region own = table_.region(cell);
+        const int own_conflicts = conflicts(cell, own);
         if (own_conflicts == 0)
             return false;
-        const Region here = oracle_.region(centroid(corner_positions(delaunay_cell)));
+        const Region here = oracle_.region(middle(cell));
         std::vector<Region> candidates{here};
-        for (int i = 0; i < 4; ++i)
+        for (const Number neighbor : table_.neighbors(cell))
         {
-            const Region next = delaunay_cell->neighbor(i)->info().region;
+            const Region next = table_.region(neighbor);
             candidates.push_back(next);
             if (compatible(own, next))
                 continue;
             if (const auto between = region_between(own, next))
                 candidates.push_back(*between);
         }
-        const auto cost = [&](Region region) {
-            return kCostOfConflict * conflicts(delaunay_cell, region) +
-                   (region == here ? 0 : kCostOfElsewhere);
-        };
+        const auto cost = [&](Region region)
+        { return kCostOfConflict * conflicts(cell, region) + (region == here ? 0 : kCostOfElsewhere); };
         const Region best = *std::min_element(candidates.begin(), candidates.end(),
                                               [&](Region a, Region b) { return cost(a) < cost(b); });
-        const bool better = conflicts(delaunay_cell, best) < own_conflicts;
+        const bool better = conflicts(cell, best) < own_conflicts;
         if (better)
-            change_region(delaunay_cell, best, delaunay_cell->info().component);
+            change_region(cell, best);
         else
-            suspects_.push_back(delaunay_cell);
+            suspects_.push_back(cell);
         return better;
     }
 
     //! Dissolves pieces of regions that lie elsewhere, and joins those that do not to the largest piece.
     std::size_t join_pieces()
     {
-        components_ = find_region_components(triangulation_);
-        is_largest_ = largest_of_each_region(components_);
+        find_components();
         report_.pieces_left_apart = 0;
         std::size_t changed = 0;
         for (std::uint32_t c = 0; c < components_.size(); ++c)
         {
             if (is_largest_[c])
                 continue;
-            const std::vector<DelaunayCell> cells = cells_of(c);
+            const std::vector<Number> cells = cells_of(c);
             if (cells.empty())
                 continue; // changed since
             if (is_crumb(cells))
@@ -234,112 +238,116 @@ private:
         return changed;
     }
 
-    [[nodiscard]] std::vector<DelaunayCell> cells_of(std::uint32_t component) const
+    [[nodiscard]] std::vector<Number> cells_of(std::uint32_t component)
     {
-        std::vector<DelaunayCell> cells;
-        const auto belongs = [&](DelaunayCell delaunay_cell)
-        {
-            return delaunay_cell->info().component == component &&
-                   delaunay_cell->info().region == components_[component].region;
+        std::vector<Number> cells;
+        const auto belongs = [&](Number cell) {
+            return component_of_[cell] == component &&
+                   table_.region(cell) == components_[component].region;
         };
         if (!belongs(components_[component].first))
             return cells;
-        const auto visit = [&](DelaunayCell delaunay_cell)
+        const auto visit = [&](Number cell)
         {
-            delaunay_cell->info().component = kNoComponent;
-            cells.push_back(delaunay_cell);
+            component_of_[cell] = kNoComponent;
+            cells.push_back(cell);
         };
         visit(components_[component].first);
-        for (std::size_t next = 0; next < cells.size(); ++next)
+        for (std::size_t at = 0; at < cells.size(); ++at)
         {
-            for (int i = 0; i < 4; ++i)
+            for (const Number next : table_.neighbors(cells[at]))
             {
-                if (belongs(cells[next]->neighbor(i)))
-                    visit(cells[next]->neighbor(i));
+                if (belongs(next))
+                    visit(next);
             }
         }
-        for (const DelaunayCell delaunay_cell : cells)
-            delaunay_cell->info().component = component;
+        for (const Number cell : cells)
+            component_of_[cell] = component;
         return cells;
     }
 
     //! Whether cells of one region are a by-product of slivers: thinner than the floor throughout, or where
     //! the region is not.
-    [[nodiscard]] bool is_crumb(const std::vector<DelaunayCell>& cells) const
+    [[nodiscard]] bool is_crumb(const std::vector<Number>& cells) const
     {
-        const auto is_infinite = [&](DelaunayCell c) { return triangulation_.is_infinite(c); };
-        if (std::any_of(cells.begin(), cells.end(), is_infinite))
+        if (std::any_of(cells.begin(), cells.end(), [&](Number cell) { return table_.is_infinite(cell); }))
             return false;
-        const auto is_thin = [&](DelaunayCell c) { return least_altitude(corner_positions(c)) <= floor_; };
-        const auto is_elsewhere = [&](DelaunayCell c)
-        { return oracle_.region(centroid(corner_positions(c))) != c->info().region; };
+        const auto is_thin = [&](Number cell)
+        { return least_altitude(corner_positions(table_.cell(cell))) <= floor_; };
+        const auto is_elsewhere = [&](Number cell)
+        { return oracle_.region(middle(cell)) != table_.region(cell); };
         return std::all_of(cells.begin(), cells.end(), is_thin) ||
                std::all_of(cells.begin(), cells.end(), is_elsewhere);
     }
 
     //! Gives the cells to the region they share most facets with.
-    void dissolve(const std::vector<DelaunayCell>& cells)
+    void dissolve(const std::vector<Number>& cells)
     {
-        const Region own = cells.front()->info().region;
+        const Region own = table_.region(cells.front());
         std::unordered_map<Region, int> facets;
-        for (const DelaunayCell delaunay_cell : cells)
-            for (int i = 0; i < 4; ++i)
-                ++facets[delaunay_cell->neighbor(i)->info().region];
+        for (const Number cell : cells)
+            for (const Number next : table_.neighbors(cell))
+                ++facets[table_.region(next)];
         facets.erase(own);
         const auto most =
             std::max_element(facets.begin(), facets.end(),
                              [](const auto& a, const auto& b)
                              { return std::pair(a.second, a.first) < std::pair(b.second, b.first); });
-        for (const DelaunayCell delaunay_cell : cells)
-            change_region(delaunay_cell, most->first, kNoComponent);
+        for (const Number cell : cells)
+        {
+            change_region(cell, most->first);
+            component_of_[cell] = kNoComponent;
+        }
     }
 
     //! Gives the cells on the cheapest way to the largest piece of the region to it. False where none is
     //! found.
-    bool bridge(const std::vector<DelaunayCell>& cells)
+    bool bridge(const std::vector<Number>& cells)
     {
-        const std::vector<DelaunayCell> way = find_way(cells);
+        const std::vector<Number> way = find_way(cells);
         if (way.empty())
             return false;
-        const std::uint32_t component = way.front()->info().component;
-        for (const DelaunayCell delaunay_cell : way)
-            change_region(delaunay_cell, cells.front()->info().region, component);
+        const std::uint32_t component = component_of_[way.front()];
+        for (const Number cell : way)
+        {
+            change_region(cell, table_.region(cells.front()));
+            component_of_[cell] = component;
+        }
         return true;
     }
 
     //! The cells on the cheapest way from the largest piece of a region, first, to another one, last; empty
     //! where none is found.
-    [[nodiscard]] std::vector<DelaunayCell> find_way(const std::vector<DelaunayCell>& cells) const
+    [[nodiscard]] std::vector<Number> find_way(const std::vector<Number>& cells) const
     {
-        const Region own = cells.front()->info().region;
+        const Region own = table_.region(cells.front());
         std::priority_queue<Step, std::vector<Step>, std::greater<>> front;
-        std::unordered_map<const void*, std::pair<double, DelaunayCell>> reached; // cost, cell before
-        const auto reach = [&](DelaunayCell delaunay_cell, double cost, DelaunayCell before)
+        std::unordered_map<Number, std::pair<double, Number>> reached; // cost, cell before
+        const auto reach = [&](Number cell, double cost, Number before)
         {
-            const auto [entry, added] = reached.try_emplace(&*delaunay_cell, cost, before);
+            const auto [entry, added] = reached.try_emplace(cell, cost, before);
             if (!added && entry->second.first <= cost)
                 return;
             entry->second = {cost, before};
-            front.push({cost, reached.size() + front.size(), delaunay_cell});
+            front.push({cost, reached.size() + front.size(), cell});
         };
-        for (const DelaunayCell delaunay_cell : cells)
-            reach(delaunay_cell, 0.0, {});
+        for (const Number cell : cells)
+            reach(cell, 0.0, kNoCell);
         while (!front.empty() && reached.size() < cells.size() + kLongestSearch)
         {
             const Step step = front.top();
             front.pop();
-            if (step.cost > reached[&*step.cell].first)
+            if (step.cost > reached[step.cell].first)
                 continue;
             if (is_goal(step.cell, own))
             {
-                std::vector<DelaunayCell> way;
-                for (DelaunayCell at = step.cell; at != DelaunayCell(); at = reached[&*at].second)
+                std::vector<Number> way;
+                for (Number at = step.cell; at != kNoCell; at = reached[at].second)
                     way.push_back(at);
                 return way;
             }
-            for (int i = 0; i < 4; ++i)
+            for (const Number next : table_.neighbors(step.cell))
             {
-                const DelaunayCell next = step.cell->neighbor(i);
                 if (const auto price = price_of(next, own))
                     reach(next, step.cost + *price, step.cell);
             }
@@ -347,63 +355,59 @@ private:
         return {};
     }
 
-    [[nodiscard]] bool is_goal(DelaunayCell delaunay_cell, Region own) const
+    [[nodiscard]] bool is_goal(Number cell, Region own) const
     {
-        const DelaunayCellData& data = delaunay_cell->info();
-        return data.region == own && data.component < components_.size() && is_largest_[data.component];
+        const std::uint32_t component = component_of_[cell];
+        return table_.region(cell) == own && component < components_.size() && is_largest_[component];
     }
 
     //! What a bridge of region `own` pays for a cell; nullopt where it must not pass.
-    [[nodiscard]] std::optional<double> price_of(DelaunayCell delaunay_cell, Region own) const
+    [[nodiscard]] std::optional<double> price_of(Number cell, Region own) const
     {
-        const Region region = delaunay_cell->info().region;
+        const Region region = table_.region(cell);
         if (region == own)
             return 0.0;
-        if (triangulation_.is_infinite(delaunay_cell) || is_inside(region) == is_inside(own))
+        if (table_.is_infinite(cell) || is_inside(region) == is_inside(own))
             return std::nullopt;
-        const double length = longest_edge(corner_positions(delaunay_cell)) *
-                              (1.0 + kPriceOfConflict * conflicts(delaunay_cell, own));
-        return oracle_.region(centroid(corner_positions(delaunay_cell))) == own ? kDiscountInRegion * length
-                                                                                : length;
+        const double length = longest_edge(corner_positions(table_.cell(cell))) *
+                              (1.0 + kPriceOfConflict * conflicts(cell, own));
+        return oracle_.region(middle(cell)) == own ? kDiscountInRegion * length : length;
     }
 
-    void change_region(DelaunayCell delaunay_cell, Region region, std::uint32_t component)
+    void change_region(Number cell, Region region)
     {
-        changed_.push_back(delaunay_cell);
-        delaunay_cell->info().region = region;
-        delaunay_cell->info().component = component;
-        mark_pinched(delaunay_cell);
-    }
-
-    static void mark_pinched(DelaunayCell delaunay_cell)
-    {
+        changed_.push_back(cell);
+        table_.set_region(cell, region);
         for (int i = 0; i < 4; ++i)
-            delaunay_cell->vertex(i)->info().pinched = true; // as far as is known
+            table_.cell(cell)->vertex(i)->info().pinched = true; // as far as is known
     }
 
     const SurfaceOracle& oracle_;
-    const Triangulation& triangulation_;
+    CellTable& table_;
     double floor_;
     bool looked_at_all_ = false;
-    std::vector<DelaunayCell> suspects_; //!< with conflicts that could not be mended, as far as is known
-    std::vector<DelaunayCell> changed_;  //!< since the last sweep
+    std::vector<Number> suspects_; //!< with conflicts that could not be mended, as far as is known
+    std::vector<Number> changed_;        //!< since the last sweep
     std::vector<RegionComponent> components_;
+    std::vector<std::uint32_t> component_of_; //!< by cell
     std::vector<bool> is_largest_;
     RegionRepairReport report_;
 };
 
 } // namespace
 
-std::vector<Point3> find_gaps(RestrictedDelaunay& restricted, double floor_radius)
+std::vector<Point3> find_gaps(const RestrictedDelaunay& restricted, double floor_radius)
 {
-    return restricted.oracle().surface_count() == 0 ? std::vector<Point3>{}
-                                                    : RegionRepair(restricted, floor_radius).gaps();
+    if (restricted.oracle().surface_count() == 0)
+        return {};
+    CellTable table(restricted.triangulation());
+    return RegionRepair(restricted.oracle(), table, floor_radius).gaps();
 }
 
-RegionRepairReport repair_regions(RestrictedDelaunay& restricted, double floor_radius)
+RegionRepairReport repair_regions(const SurfaceOracle& oracle, CellTable& table, double floor_radius)
 {
-    return restricted.oracle().surface_count() == 0 ? RegionRepairReport{}
-                                                    : RegionRepair(restricted, floor_radius).run();
+    return oracle.surface_count() == 0 ? RegionRepairReport{}
+                                       : RegionRepair(oracle, table, floor_radius).run();
 }
 
 } // namespace voroprobe

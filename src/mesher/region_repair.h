@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "mesher/cell_table.h"
 #include "mesher/restricted_delaunay.h"
 
 namespace voroprobe
@@ -19,7 +20,7 @@ struct RegionRepairReport
 
 //! Where the cheapest ways lead that would join the pieces of the regions: necks of the scan that the mesh
 //! does not have, or not yet. Cost: O(Delaunay cells).
-std::vector<Point3> find_gaps(RestrictedDelaunay& restricted, double floor_radius);
+std::vector<Point3> find_gaps(const RestrictedDelaunay& restricted, double floor_radius);
 
 //! Makes the regions of the Delaunay cells what the oracle's inventory says they are, where refinement ended
 //! at its floor before they were: each region one set of cells joined through facets, next to its neighbours
@@ -31,6 +32,6 @@ std::vector<Point3> find_gaps(RestrictedDelaunay& restricted, double floor_radiu
 //! piece lies where its region is not (a sliver whose circumcenter is far away), and along the cheapest way
 //! between two pieces of a region that the scan joins by a neck thinner than the floor. Cost: O(Delaunay
 //! cells).
-RegionRepairReport repair_regions(RestrictedDelaunay& restricted, double floor_radius);
+RegionRepairReport repair_regions(const SurfaceOracle& oracle, CellTable& table, double floor_radius);
 
 } // namespace voroprobe

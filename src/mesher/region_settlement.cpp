@@ -31,10 +31,7 @@ void RegionSettlement::settle(bool handles)
     handle_changes_.clear();
     coarse_necks_.clear();
     other_missed_necks_.clear();
-    repair();
-    cells_relabelled_ = relabel_pinched_cells(restricted_, options_);
-    if (cells_relabelled_ > 0)
-        repair(); // a cell that mends an edge may have been a neck
+    settle_regions();
     if (handles && restricted_.oracle().surface_count() > 0)
         settle_handles();
 }
@@ -47,9 +44,20 @@ void RegionSettlement::remember_cells()
         former_cells_.push_back({delaunay_cell->info().region, delaunay_cell->info().facet});
 }
 
-void RegionSettlement::repair()
+void RegionSettlement::settle_regions()
 {
-    const RegionRepairReport report = repair_regions(restricted_, options_.floor_radius);
+    CellTable table(restricted_.triangulation());
+    repair(table);
+    cells_relabelled_ = relabel_pinched_cells(restricted_, options_);
+    if (cells_relabelled_ == 0)
+        return;
+    table.refresh_regions();
+    repair(table); // a cell that mends an edge may have been a neck
+}
+
+void RegionSettlement::repair(CellTable& table)
+{
+    const RegionRepairReport report = repair_regions(restricted_.oracle(), table, options_.floor_radius);
     report_.cells_reconciled += report.cells_reconciled;
     report_.crumbs_dissolved += report.crumbs_dissolved;
     report_.necks_bridged += report.necks_bridged;

@@ -60,7 +60,8 @@ private:
     };
 
     void remember_cells();
-    void repair();
+    void settle_regions();
+    void repair(CellTable& table);
     void settle_handles();
     void put_right(double longest_side);
     void add_where_few(const std::vector<Neck>& others, std::vector<Neck>& necks) const;
