@@ -63,6 +63,7 @@ public:
                 return report_;
         }
         reconcile(); // pieces apart are named as such, regions in contact would be a lie
+        count_pieces_apart();
         return report_;
     }
 
@@ -236,6 +237,14 @@ private:
                 ++report_.pieces_left_apart;
         }
         return changed;
+    }
+
+    //! Reconciling may have taken bridges away.
+    void count_pieces_apart()
+    {
+        find_components();
+        report_.pieces_left_apart =
+            static_cast<std::size_t>(std::count(is_largest_.begin(), is_largest_.end(), false));
     }
 
     [[nodiscard]] std::vector<Number> cells_of(std::uint32_t component)

@@ -15,7 +15,10 @@ namespace
 
 constexpr long kDoubledEulerOfHandle = 4;
 constexpr long kNecksPerHandle = 4;
+// Necks of a surface on the wrong side that are all refined at; more of them where a region is in pieces: one of
+// them joins these.
 constexpr std::size_t kFewNecks = 32;
+constexpr std::size_t kFewNecksOfPieces = 1024;
 
 // Of the facets made where handles are put right while refinement may go on: a voxel and a half, at the
 // default floor.
@@ -138,10 +141,11 @@ void RegionSettlement::add_where_few(const std::vector<Neck>& others, std::vecto
     for (const Neck& neck : others)
         for (const SurfaceId surface : neck.surfaces)
             ++count[static_cast<std::size_t>(surface)];
+    const std::size_t few = pieces_left_apart() > 0 ? kFewNecksOfPieces : kFewNecks;
     const auto lacks_with_few = [&](SurfaceId surface)
     {
         const auto index = static_cast<std::size_t>(surface);
-        return lacking_[index] != 0 && count[index] <= kFewNecks;
+        return lacking_[index] != 0 && count[index] <= few;
     };
     std::copy_if(others.begin(), others.end(), std::back_inserter(necks),
                  [&](const Neck& neck)
