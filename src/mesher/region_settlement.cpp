@@ -95,12 +95,14 @@ bool RegionSettlement::lacks_any() const
     return std::any_of(lacking_.begin(), lacking_.end(), [](long lack) { return lack != 0; });
 }
 
-void RegionSettlement::finish_handles()
+void RegionSettlement::finish()
 {
     if (lacks_any())
         put_right(2.0 * options_.max_facet_radius);
     if (lacks_any())
         add(repair_slivers(restricted_, kLongestSideInFloors * options_.floor_radius, lacking_));
+    if (restricted_.oracle().surface_count() > 0)
+        cells_relabelled_ += relabel_sharp_cells(restricted_, options_);
 }
 
 void RegionSettlement::unsettle()

@@ -31,8 +31,9 @@ public:
     void settle(bool handles);
 
     //! Puts right what handles are still wrong with facets as long as facets of the mesh may be, and at
-    //! single cells out of place. The last thing to be done. After settle().
-    void finish_handles();
+    //! single cells out of place; then angles, where the repair has spoilt them. The last thing to be done.
+    //! After settle().
+    void finish();
 
     //! Gives all cells what they knew before settle(), and extract_surface(): refinement may go on.
     void unsettle();

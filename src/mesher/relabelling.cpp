@@ -64,6 +64,16 @@ struct Link
     std::size_t component_count = 0;
 };
 
+//! What is wrong around a cell, in faces below the angle bound.
+struct Cost
+{
+    int pinches = 0;         //!< pinched edges, and umbrellas of vertices
+    int sharp_facets = 0;    //!< below the bound
+    bool is_manifold = true; //!< no edge is pinched, no vertex has several umbrellas
+
+    [[nodiscard]] int sum() const { return pinches + sharp_facets; }
+};
+
 class Relabelling
 {
 public:
@@ -89,7 +99,66 @@ public:
         return changed;
     }
 
+    std::size_t run_for_angles()
+    {
+        std::size_t changed = 0;
+        std::vector<DelaunayCell> candidates;
+        for (const DelaunayCell delaunay_cell : restricted_.triangulation().finite_cell_handles())
+            collect_beside_sharp_facets(delaunay_cell, candidates);
+        for (int sweep = 0; sweep < kSweeps && !candidates.empty(); ++sweep)
+        {
+            std::vector<DelaunayCell> next;
+            for (const DelaunayCell delaunay_cell : candidates)
+            {
+                if (!may_change(delaunay_cell) || !angles_gain_from_change(delaunay_cell))
+                    continue;
+                change(delaunay_cell);
+                ++changed;
+                collect_beside_sharp_facets(delaunay_cell, next);
+            }
+            candidates = std::move(next);
+        }
+        return changed;
+    }
+
 private:
+    //! The cell and its neighbour at each of its facets in the mesh that is below the bound.
+    void collect_beside_sharp_facets(DelaunayCell delaunay_cell, std::vector<DelaunayCell>& cells) const
+    {
+        for (int i = 0; i < 4; ++i)
+        {
+            if (!separates_sides(delaunay_cell, i) || !is_sharp(delaunay_cell, i))
+                continue;
+            cells.push_back(delaunay_cell);
+            if (!restricted_.triangulation().is_infinite(delaunay_cell->neighbor(i)))
+                cells.push_back(delaunay_cell->neighbor(i));
+        }
+    }
+
+    [[nodiscard]] bool is_sharp(DelaunayCell delaunay_cell, int i) const
+    {
+        return below_bound(position(delaunay_cell->vertex((i + 1) % 4)),
+                           position(delaunay_cell->vertex((i + 2) % 4)),
+                           position(delaunay_cell->vertex((i + 3) % 4)));
+    }
+
+    //! Whether fewer facets of the cell are below the bound then, and nothing is pinched before and after.
+    bool angles_gain_from_change(DelaunayCell delaunay_cell)
+    {
+        const Cost before = cost_around(delaunay_cell);
+        const Region own = std::exchange(delaunay_cell->info().region, *region_across(delaunay_cell));
+        const Cost after = cost_around(delaunay_cell);
+        delaunay_cell->info().region = own;
+        return after.sharp_facets < before.sharp_facets && before.is_manifold && after.is_manifold;
+    }
+
+    static void change(DelaunayCell delaunay_cell)
+    {
+        delaunay_cell->info().region = *region_across(delaunay_cell);
+        for (int i = 0; i < 4; ++i)
+            delaunay_cell->vertex(i)->info().pinched = true; // as far as is known
+    }
+
     //! Single cells, thinner than the floor, that are a piece (or a hole) by themselves and touch the rest at
     //! each corner.
     std::size_t dissolve_crumbs(const std::vector<VertexHandle>& pinched)
@@ -168,9 +237,7 @@ private:
         }
         if (!best)
             return {};
-        best->second->info().region = *region_across(best->second);
-        for (int i = 0; i < 4; ++i)
-            best->second->vertex(i)->info().pinched = true; // as far as is known
+        change(best->second);
         return best->second;
     }
 
@@ -184,28 +251,29 @@ private:
 
     int gain_of_change(DelaunayCell delaunay_cell)
     {
-        const int before = cost_around(delaunay_cell);
+        const int before = cost_around(delaunay_cell).sum();
         const Region own = std::exchange(delaunay_cell->info().region, *region_across(delaunay_cell));
-        const int after = cost_around(delaunay_cell);
+        const int after = cost_around(delaunay_cell).sum();
         delaunay_cell->info().region = own;
         return before - after;
     }
 
     //! Everything that depends on the side of a cell: the links of its vertices and its own facets.
-    int cost_around(DelaunayCell delaunay_cell)
+    Cost cost_around(DelaunayCell delaunay_cell)
     {
-        int cost = 0;
-        const std::array<Point3, 4> corners = corner_positions(delaunay_cell);
+        Cost cost;
         for (int i = 0; i < 4; ++i)
         {
             const Link link = link_of(delaunay_cell->vertex(i));
             for (const int degree : link.degrees)
-                cost += degree > 2 ? kCostOfPinchedEdgeEnd * (degree / 2 - 1) : 0;
-            cost += kCostOfUmbrella * static_cast<int>(link.component_count);
-            const auto j = static_cast<std::size_t>(i);
-            if (separates_sides(delaunay_cell, i) &&
-                below_bound(corners[(j + 1) % 4], corners[(j + 2) % 4], corners[(j + 3) % 4]))
-                ++cost;
+            {
+                cost.pinches += degree > 2 ? kCostOfPinchedEdgeEnd * (degree / 2 - 1) : 0;
+                cost.is_manifold = cost.is_manifold && degree == 2;
+            }
+            cost.pinches += kCostOfUmbrella * static_cast<int>(link.component_count);
+            cost.is_manifold = cost.is_manifold && link.component_count <= 1;
+            if (separates_sides(delaunay_cell, i) && is_sharp(delaunay_cell, i))
+                ++cost.sharp_facets;
         }
         return cost;
     }
@@ -281,6 +349,11 @@ private:
 std::size_t relabel_pinched_cells(RestrictedDelaunay& restricted, const MeshingOptions& options)
 {
     return Relabelling(restricted, options).run();
+}
+
+std::size_t relabel_sharp_cells(RestrictedDelaunay& restricted, const MeshingOptions& options)
+{
+    return Relabelling(restricted, options).run_for_angles();
 }
 
 } // namespace voroprobe

@@ -63,7 +63,7 @@ public:
         settlement_.settle(may_go_on());
         for (int round = 1; may_go_on() && pursue_flaws(round); ++round)
             settlement_.settle(may_go_on());
-        settlement_.finish_handles();
+        settlement_.finish();
         ExtractedSurface extracted = extract_surface(restricted_, settlement_, options_, statistics_);
         stopped_ =
             stopped_ || refinement_.status() == MeshingStatus::kInterrupted || cell_probing_.was_stopped();
@@ -163,9 +163,9 @@ private:
                (options_.seeding == Seeding::kInventory || options_.seeding == Seeding::kProbe);
     }
 
-    //! Gives points to the surfaces of the inventory without facets, and to parts of others that the mesh has
-    //! not come to, and lowers the floor where facets do not lie on one surface or a region is in pieces.
-    //! False when there is nothing left to pursue.
+    //! Gives points to the surfaces of the inventory without facets, and lowers the floor where facets do not
+    //! lie on one surface or a region is in pieces. False when there is nothing left to
+    //! pursue.
     bool pursue_inventory(int round)
     {
         if (!may_pursue_inventory() || round > kInventoryRounds)
