@@ -195,17 +195,24 @@ private:
                  cgal_point(neck.middle), cgal_point(end), located.holder))
         {
             if (delaunay_cell->info().region == neck.region)
-                return true;
+                break;
             if (!may_change(delaunay_cell, neck.region))
+                return false;
+            // Through an edge or a corner the way leads to a cell that shares no facet with the last.
+            const auto is_next = [&](DelaunayCell other) { return other == delaunay_cell; };
+            if (last != DelaunayCell() && !last->has_neighbor(delaunay_cell) &&
+                !go_on(last, neck.region, is_next, cells))
                 return false;
             last = delaunay_cell;
             add(delaunay_cell, cells);
         }
-        return last != DelaunayCell() && go_on(last, neck.region, cells);
+        const auto is_own = [&](DelaunayCell other) { return other->info().region == neck.region; };
+        return last != DelaunayCell() && go_on(last, neck.region, is_own, cells);
     }
 
-    //! Adds the cells on the shortest way from one to the region.
-    bool go_on(DelaunayCell from, Region own, std::vector<DelaunayCell>& cells) const
+    //! Adds the cells on the shortest way from one, through cells that may join the region, to a goal.
+    template <typename IsGoal>
+    bool go_on(DelaunayCell from, Region own, IsGoal is_goal, std::vector<DelaunayCell>& cells) const
     {
         std::vector<DelaunayCell> front{from};
         std::unordered_map<const void*, std::size_t> before{{&*from, 0}};
@@ -214,7 +221,7 @@ private:
             for (int i = 0; i < 4; ++i)
             {
                 const DelaunayCell next = front[at]->neighbor(i);
-                if (next->info().region == own)
+                if (is_goal(next))
                 {
                     for (std::size_t back = at; back != 0; back = before[&*front[back]])
                         add(front[back], cells);
@@ -253,7 +260,7 @@ private:
     {
         HandleChange made = make_change(cells, region);
         const bool allowed =
-            helps(made.gained) && !touches_others(cells) && leaves_whole(cells, made.former_regions);
+            helps(made.gained) && !touches_others(cells) && leaves_whole(cells, region, made.former_regions);
         longest_side_ = longest_side(cells);
         if (!allowed || longest_side_ > longest_allowed_)
         {
@@ -320,13 +327,16 @@ private:
         return false;
     }
 
-    //! Whether what the cells leave of their former regions is still connected around them.
-    [[nodiscard]] bool leaves_whole(const std::vector<DelaunayCell>& cells, std::vector<Region> former)
+    //! Whether the cells are connected to their region, and what they leave of the former ones is still
+    //! connected around them. A way through edges and corners leads through cells that share no facets.
+    [[nodiscard]] bool leaves_whole(const std::vector<DelaunayCell>& cells, Region region,
+                                    std::vector<Region> regions)
     {
-        std::sort(former.begin(), former.end());
-        former.erase(std::unique(former.begin(), former.end()), former.end());
-        return std::all_of(former.begin(), former.end(),
-                           [&](Region region) { return is_connected_around(cells, region); });
+        regions.push_back(region);
+        std::sort(regions.begin(), regions.end());
+        regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
+        return std::all_of(regions.begin(), regions.end(),
+                           [&](Region each) { return is_connected_around(cells, each); });
     }
 
     [[nodiscard]] bool is_connected_around(const std::vector<DelaunayCell>& cells, Region region)
@@ -335,17 +345,19 @@ private:
         const std::uint32_t reached = next_mark_++;
         std::size_t missing = 0;
         std::vector<DelaunayCell> front;
+        const auto want = [&](DelaunayCell delaunay_cell)
+        {
+            if (delaunay_cell->info().region != region || delaunay_cell->info().scratch == wanted)
+                return;
+            delaunay_cell->info().scratch = wanted;
+            ++missing;
+            front = {delaunay_cell};
+        };
         for (const DelaunayCell delaunay_cell : cells)
         {
+            want(delaunay_cell);
             for (int i = 0; i < 4; ++i)
-            {
-                const DelaunayCell next = delaunay_cell->neighbor(i);
-                if (next->info().region != region || next->info().scratch == wanted)
-                    continue;
-                next->info().scratch = wanted;
-                ++missing;
-                front = {next};
-            }
+                want(delaunay_cell->neighbor(i));
         }
         if (missing == 0)
             return false; // nothing of it would be left here

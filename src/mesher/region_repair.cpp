@@ -250,10 +250,8 @@ private:
     [[nodiscard]] std::vector<Number> cells_of(std::uint32_t component)
     {
         std::vector<Number> cells;
-        const auto belongs = [&](Number cell) {
-            return component_of_[cell] == component &&
-                   table_.region(cell) == components_[component].region;
-        };
+        const auto belongs = [&](Number cell)
+        { return component_of_[cell] == component && table_.region(cell) == components_[component].region; };
         if (!belongs(components_[component].first))
             return cells;
         const auto visit = [&](Number cell)
@@ -396,7 +394,7 @@ private:
     double floor_;
     bool looked_at_all_ = false;
     std::vector<Number> suspects_; //!< with conflicts that could not be mended, as far as is known
-    std::vector<Number> changed_;        //!< since the last sweep
+    std::vector<Number> changed_;  //!< since the last sweep
     std::vector<RegionComponent> components_;
     std::vector<std::uint32_t> component_of_; //!< by cell
     std::vector<bool> is_largest_;

@@ -15,8 +15,8 @@ namespace
 
 constexpr long kDoubledEulerOfHandle = 4;
 constexpr long kNecksPerHandle = 4;
-// Necks of a surface on the wrong side that are all refined at; more of them where a region is in pieces: one of
-// them joins these.
+// Necks of a surface on the wrong side that are all refined at; more of them where a region is in pieces: one
+// of them joins these.
 constexpr std::size_t kFewNecks = 32;
 constexpr std::size_t kFewNecksOfPieces = 1024;
 

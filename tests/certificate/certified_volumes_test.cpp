@@ -60,6 +60,15 @@ TEST_P(CertifiedVolumes, lose_no_surface_and_gain_none)
     expect_certified(GetParam(), 1, kVolumesPerKind, kLargestSide);
 }
 
+// Bridges that reconciling took away again; ways along necks through cells that share no facets.
+TEST(CertifiedVolumesOnceFailed, lose_no_surface_and_gain_none)
+{
+    expect_certified(VolumeKind::kShells, 10, 10, kLargestSideNightly);
+    expect_certified(VolumeKind::kShells, 13, 13, kLargestSideNightly);
+    expect_certified(VolumeKind::kSpecks, 453, 453, kLargestSideNightly);
+    expect_certified(VolumeKind::kSpecks, 518, 518, kLargestSideNightly);
+}
+
 class CertifiedVolumesNightly : public testing::TestWithParam<VolumeKind>
 {
 };
