@@ -4,6 +4,7 @@
 
 #include "mesher/seeded_mesher.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -33,7 +34,10 @@ namespace
 // Points given to a surface without facets, the first time; four times as many each time after.
 constexpr std::size_t kSeedsPerSurface = 8;
 constexpr int kInventoryRounds = 6;
+// Of points at necks and in gaps, and of points on parts of surfaces that the mesh does not come to.
 constexpr int kFlawRounds = 2;
+constexpr int kCoverageRounds = 4;
+constexpr double kLeastSpacingInFloors = 2.0;
 
 class SeededMesher
 {
@@ -192,14 +196,17 @@ private:
     //! unsettled.
     bool pursue_flaws(int round)
     {
-        if (!may_pursue_inventory() || round > kFlawRounds || !flaws_yield_)
+        if (!may_pursue_inventory() || round > kCoverageRounds || !flaws_yield_)
             return false;
         std::vector<Point3> points = uncovered_points(round);
         statistics_.uncovered_points += points.size();
-        const std::vector<Point3> at_necks =
-            points_around(settlement_.necks_to_refine(), options_.floor_radius, oracle_);
-        points.insert(points.end(), at_necks.begin(), at_necks.end());
-        const bool has_gaps = settlement_.pieces_left_apart() > 0;
+        const bool has_gaps = round <= kFlawRounds && settlement_.pieces_left_apart() > 0;
+        if (round <= kFlawRounds)
+        {
+            const std::vector<Point3> at_necks =
+                points_around(settlement_.necks_to_refine(), options_.floor_radius, oracle_);
+            points.insert(points.end(), at_necks.begin(), at_necks.end());
+        }
         if (points.empty() && !has_gaps)
             return false;
         settlement_.unsettle();
@@ -214,13 +221,16 @@ private:
         return true;
     }
 
+    //! The thinner a part, the closer the points have to be for facets to connect them: a quarter of the
+    //! spacing in each round.
     [[nodiscard]] std::vector<Point3> uncovered_points(int round) const
     {
         const double radius = options_.max_facet_radius;
+        const double spacing =
+            std::max(std::ldexp(radius, 2 - 2 * round), kLeastSpacingInFloors * options_.floor_radius);
         std::vector<Point3> points;
-        for (const SurfacePoint& at :
-             find_uncovered_points(oracle_, vertices_on_surfaces(restricted_), 2.0 * radius,
-                                   std::ldexp(radius, 1 - round), options_.threads))
+        for (const SurfacePoint& at : find_uncovered_points(oracle_, vertices_on_surfaces(restricted_),
+                                                            2.0 * radius, spacing, options_.threads))
             points.push_back(at.point);
         return points;
     }
