@@ -180,9 +180,10 @@ private:
         delaunay_.incident_cells(vertex, std::back_inserter(cells_));
         for (const LabelCell cell : cells_)
             update(cell);
+        // Facets within the star once each.
         for (const LabelCell cell : cells_)
             for (int i = 0; i < 4; ++i)
-                if (cell->vertex(i) == vertex || cell < cell->neighbor(i)) // facets within the star once
+                if (cell->vertex(i) == vertex || cell->info().stamp < cell->neighbor(i)->info().stamp)
                     judge(cell, i);
         return vertex;
     }
@@ -268,14 +269,19 @@ private:
                 mesh.vertices[vertex->info()] = from_cgal(vertex->point());
         for (const auto& facet : delaunay_.finite_facets())
         {
-            const LabelCell cell = facet.first;
-            const LabelCell other = cell->neighbor(facet.second);
-            if (cell->info().label == other->info().label || at_sentinel(cell, facet.second))
+            // CGAL names the facet from the cell at the lower address: choose the side by label instead.
+            const bool turned = facet.first->info().label > facet.first->neighbor(facet.second)->info().label;
+            const auto [cell, index] = turned ? delaunay_.mirror_facet(facet) : facet;
+            const PartitionLabel front = cell->info().label;
+            const PartitionLabel behind = cell->neighbor(index)->info().label;
+            if (front == behind || at_sentinel(cell, index))
                 continue;
-            InterfaceFace face{.vertices = {}, .front = cell->info().label, .behind = other->info().label};
+            InterfaceFace face{.vertices = {}, .front = front, .behind = behind};
             for (int i = 0; i < 3; ++i)
                 face.vertices[static_cast<std::size_t>(i)] =
-                    cell->vertex(LabelDelaunay::vertex_triple_index(facet.second, i))->info();
+                    cell->vertex(LabelDelaunay::vertex_triple_index(index, i))->info();
+            std::rotate(face.vertices.begin(), std::min_element(face.vertices.begin(), face.vertices.end()),
+                        face.vertices.end());
             mesh.faces.push_back(face);
         }
         std::sort(mesh.faces.begin(), mesh.faces.end(),

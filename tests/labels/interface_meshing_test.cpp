@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <memory>
 
 #include <gtest/gtest.h>
 
@@ -207,6 +208,28 @@ TEST(LabelCavities, are_counted_as_a_flood_through_faces_does)
                 << "seed " << seed << ", label " << place;
         }
     }
+}
+
+TEST(InterfaceMeshing, the_same_labels_give_the_same_mesh_wherever_memory_lies)
+{
+    const LabelSurvey survey(random_labels({40, 40, 40}, 6, 1));
+    const LabelPartition partition(survey, all_labels(survey), kUnit);
+    const auto mesh = [&]
+    { return mesh_interfaces(survey, all_labels(survey), kUnit, partition, kCriteria); };
+    const InterfaceMesh first = mesh();
+    // Freed blocks in the heap's way: what is allocated now has other places, and another order of them.
+    std::vector<std::unique_ptr<std::vector<char>>> blocks;
+    for (std::size_t size = 1 << 10; size < 1 << 22; size += size / 3)
+        for (int i = 0; i < 4; ++i)
+            blocks.push_back(std::make_unique<std::vector<char>>(size));
+    for (std::size_t i = 0; i < blocks.size(); i += 2)
+        blocks[i].reset();
+    const InterfaceMesh second = mesh();
+    EXPECT_TRUE(first.vertices == second.vertices);
+    EXPECT_TRUE(std::equal(first.faces.begin(), first.faces.end(), second.faces.begin(), second.faces.end(),
+                           [](const InterfaceFace& a, const InterfaceFace& b) {
+                               return a.vertices == b.vertices && a.front == b.front && a.behind == b.behind;
+                           }));
 }
 
 TEST(InterfaceMeshing, random_label_maps_give_closed_meshes_and_list_what_is_not_there)
