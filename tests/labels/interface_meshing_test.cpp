@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "certificate/self_intersections.h"
+#include "labels/enclosed_background.h"
 #include "labels/joint_meshing.h"
 #include "labels/label_cavities.h"
 #include "mesh/measures.h"
@@ -182,6 +183,72 @@ TEST(InterfaceMeshing, volumes_and_cavities_are_kept_whatever_fills_these)
         EXPECT_NEAR(label.mesh_volume, label.voxel_volume, 0.01 * label.voxel_volume);
         EXPECT_TRUE(self_intersections(label.mesh).empty());
     }
+}
+
+//! A block of label 1 with holes of background: single voxels, two that touch at an edge, two at a corner,
+//! one that touches the outside at an edge, one of two voxels; and a dent, which is none.
+Volume pierced_block()
+{
+    const std::array<std::size_t, 3> size{18, 14, 14};
+    std::vector<std::uint8_t> samples;
+    for (int k = 0; k < 14; ++k)
+        for (int j = 0; j < 14; ++j)
+            for (int i = 0; i < 18; ++i)
+                samples.push_back(i >= 2 && i < 16 && j >= 2 && j < 12 && k >= 2 && k < 12 ? 1 : 0);
+    for (const auto& [i, j, k] : {SampleIndex{4, 4, 4},
+                                  {8, 5, 5},
+                                  {9, 6, 5},
+                                  {5, 8, 8},
+                                  {6, 9, 9},
+                                  {12, 6, 6},
+                                  {13, 6, 6},
+                                  {15, 9, 8},
+                                  {14, 8, 8}})
+        samples[static_cast<std::size_t>(i + 18 * (j + 14 * k))] = 0;
+    return make_volume({.size = size, .spacing = kUnit, .direction = {}, .origin = {}}, std::move(samples));
+}
+
+TEST(InterfaceMeshing, holes_of_background_are_kept_though_they_touch_at_edges_and_corners)
+{
+    const LabelSurvey survey(pierced_block());
+    ASSERT_EQ(count_cavities(survey, 0), 7U);
+    const auto meshes = mesh_jointly(survey);
+    ASSERT_EQ(meshes.size(), 1U);
+    const LabelMesh& block = meshes.at(0);
+    EXPECT_TRUE(block.complete());
+    EXPECT_EQ(block.cavities_meshed, 7U);
+    EXPECT_NEAR(block.mesh_volume, block.voxel_volume, 0.02 * block.voxel_volume);
+    EXPECT_TRUE(self_intersections(block.mesh).empty());
+}
+
+TEST(EnclosedBackground, becomes_labels_and_nothing_else_changes)
+{
+    for (std::uint64_t seed = 0; seed < 10; ++seed)
+    {
+        const LabelSurvey survey(random_labels({12, 10, 11}, 2, seed));
+        const LabelSurvey with = with_enclosed_background(survey, all_labels(survey));
+        ASSERT_GE(with.labels().size(), survey.labels().size());
+        for (std::size_t n = 0; n < survey.labels().size(); ++n)
+        {
+            EXPECT_EQ(with.labels()[n].voxels, survey.labels()[n].voxels);
+            ASSERT_EQ(with.labels()[n].parts.size(), survey.labels()[n].parts.size());
+            for (std::size_t p = 0; p < survey.labels()[n].parts.size(); ++p)
+                EXPECT_EQ(with.parts()[with.labels()[n].parts[p]].first_voxel,
+                          survey.parts()[survey.labels()[n].parts[p]].first_voxel);
+        }
+    }
+    const LabelSurvey block(pierced_block());
+    EXPECT_EQ(with_enclosed_background(block, all_labels(block)).labels().size(), 1U + 7U);
+}
+
+TEST(EnclosedBackground, of_labels_that_are_not_asked_for_counts_as_well)
+{
+    const LabelSurvey survey(two_shells());
+    const std::vector<std::uint32_t> shells{0};
+    const LabelSurvey with =
+        with_enclosed_background(survey, shells); // the ball in a shell is background now
+    ASSERT_EQ(with.labels().size(), 3U);
+    EXPECT_EQ(with.labels()[1].voxels, with.labels()[2].voxels);
 }
 
 TEST(LabelCavities, are_counted_as_a_flood_through_faces_does)
