@@ -1,5 +1,6 @@
 #include "labels/interface_meshing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -219,6 +220,27 @@ TEST(InterfaceMeshing, holes_of_background_are_kept_though_they_touch_at_edges_a
     EXPECT_EQ(block.cavities_meshed, 7U);
     EXPECT_NEAR(block.mesh_volume, block.voxel_volume, 0.02 * block.voxel_volume);
     EXPECT_TRUE(self_intersections(block.mesh).empty());
+}
+
+TEST(InterfaceMeshing, specks_within_a_label_keep_their_volume)
+{
+    std::vector<std::uint8_t> samples;
+    for (int k = 0; k < 14; ++k)
+        for (int j = 0; j < 14; ++j)
+            for (int i = 0; i < 14; ++i)
+                samples.push_back(std::min({i, j, k}) >= 2 && std::max({i, j, k}) < 12 ? 1 : 0);
+    const auto at = [](int i, int j, int k) { return static_cast<std::size_t>(i + 14 * (j + 14 * k)); };
+    samples[at(4, 4, 4)] = 2;
+    samples[at(8, 5, 5)] = samples[at(9, 5, 5)] = 3;
+    samples[at(5, 9, 8)] = samples[at(6, 9, 8)] = samples[at(6, 8, 8)] = 4;
+    const LabelSurvey survey(make_volume(
+        {.size = {14, 14, 14}, .spacing = kUnit, .direction = {}, .origin = {}}, std::move(samples)));
+    for (const auto& [place, label] : mesh_jointly(survey))
+    {
+        EXPECT_TRUE(label.complete());
+        EXPECT_NEAR(label.mesh_volume, label.voxel_volume, 0.02 * label.voxel_volume) << place;
+        EXPECT_TRUE(self_intersections(label.mesh).empty());
+    }
 }
 
 TEST(EnclosedBackground, becomes_labels_and_nothing_else_changes)
