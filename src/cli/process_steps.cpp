@@ -30,6 +30,9 @@ constexpr double kEdgesMoved = 1.0;
 //! Relaxation keeps faces so much nearer, as it knows the surface.
 constexpr double kRelaxationShare = 0.25;
 
+//! What relaxation is told of that distance: it asks at fewer points than are measured afterwards.
+constexpr double kShareAsked = 0.75;
+
 //! Angles that are equal but for rounding.
 constexpr double kAngleRoundingDeg = 1e-6;
 
@@ -190,9 +193,10 @@ std::string short_faces_text(const ShortFaces& faces)
 TriangleMesh relaxed(const TriangleMesh& mesh, const FinishArguments& arguments,
                      const BoundingSurface* surface, std::string& done)
 {
-    const double bound =
-        kRelaxationShare * arguments.max_distance.value_or(kEdgesMoved * typical_edge_length(mesh));
-    RelaxationResult result = relax(mesh, surface != nullptr ? *surface : itself(mesh, bound));
+    const double max_distance = arguments.max_distance.value_or(kEdgesMoved * typical_edge_length(mesh));
+    const RelaxationOptions options{.max_shift = kShareAsked * max_distance};
+    RelaxationResult result =
+        relax(mesh, surface != nullptr ? *surface : itself(mesh, kRelaxationShare * max_distance), options);
     done = plural(result.vertices_moved, "vertex", "vertices") + " moved, " +
            plural(result.edges_flipped, "edge", "edges") + " flipped, " + count_text(result.edges_collapsed) +
            " collapsed, " + count_text(result.edges_split) + " split; " +

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -16,10 +15,10 @@ namespace voroprobe
 namespace
 {
 
-constexpr int kRounds = 8;
+constexpr int kMostRounds = 16;
 
-//! Rounds end when one leaves more than this of what was missing.
-constexpr double kWorthwhile = 0.9;
+//! Rounds end when one leaves more than this of what was missing, in sum over the labels' shares.
+constexpr double kWorthwhile = 0.95;
 
 //! What a round moves a vertex at most, as a share of the largest shift.
 constexpr double kStepShare = 0.25;
@@ -82,7 +81,7 @@ public:
     void run()
     {
         double missing_before = std::numeric_limits<double>::infinity();
-        for (int round = 0; round < kRounds && !fits(); ++round)
+        for (int round = 0; round < kMostRounds && !fits(); ++round)
         {
             const double missing = total_missing();
             if (missing > kWorthwhile * missing_before)
@@ -120,10 +119,13 @@ private:
         return fits;
     }
 
+    //! In sum over the labels, each as a share of what it should have: specks count as much as what is large.
     [[nodiscard]] double total_missing() const
     {
-        return std::accumulate(missing_.begin() + 1, missing_.end(), 0.0,
-                               [](double sum, double missing) { return sum + std::abs(missing); });
+        double sum = 0.0;
+        for (std::size_t label = 1; label < wanted_.size(); ++label)
+            sum += std::abs(missing_[label]) / wanted_[label];
+        return sum;
     }
 
     //! To the first order: a label gains the areas of its interfaces times the differences of pressure.

@@ -7,85 +7,41 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <numbers>
 #include <optional>
-#include <set>
 #include <utility>
 
-#include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_cell_base_with_info_3.h>
-#include <CGAL/Triangulation_vertex_base_with_info_3.h>
-
-#include "support/union_find.h"
+#include "labels/label_delaunay.h"
+#include "labels/label_pieces.h"
+#include "mesh/circumcircle.h"
+#include "mesh/measures.h"
 
 namespace voroprobe
 {
 namespace
 {
 
-//! What is known of a Delaunay cell.
-struct CellInfo
-{
-    Point3 circumcenter;
-    PartitionLabel label = 0;
-    std::uint64_t stamp = 0; //!< of its making: cells are made anew in old places
-    std::uint32_t number = 0;
-};
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<std::uint32_t, Kernel>;
-using CellBase = CGAL::Triangulation_cell_base_with_info_3<CellInfo, Kernel,
-                                                           CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
-using Delaunay =
-    CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
-using CellHandle = Delaunay::Cell_handle;
-using VertexHandle = Delaunay::Vertex_handle;
-
-constexpr std::uint32_t kSentinel = 0xFFFFFFFF;
-
-Point3 from_cgal(const Kernel::Point_3& p)
-{
-    return {p.x(), p.y(), p.z()};
-}
-
-Kernel::Point_3 to_cgal(const Point3& p)
-{
-    return {p.x, p.y, p.z};
-}
-
 //! A facet to be refined, as long as its two cells are those it was found between: then its ball is empty,
 //! and no two points come nearer than the floor.
 struct BadFacet
 {
-    CellHandle cell;
+    LabelCell cell;
     int index;
     std::uint64_t stamp;
     std::uint64_t stamp_of_other;
     Point3 center; //!< of its ball: the point to insert
 };
 
-Point3 circumcenter_of_triangle(const std::array<Point3, 3>& corner)
+double smallest_angle_deg(const std::array<Point3, 3>& corner)
 {
-    const Vec3 a = corner[1] - corner[0];
-    const Vec3 b = corner[2] - corner[0];
-    const Vec3 n = cross(a, b);
-    const double squared = dot(n, n);
-    return squared > 0.0 ? corner[0] + (dot(b, b) * cross(n, a) + dot(a, a) * cross(b, n)) / (2.0 * squared)
-                         : corner[0];
+    const auto angles = triangle_angles_deg(corner[0], corner[1], corner[2]);
+    return *std::min_element(angles.begin(), angles.end());
 }
 
-double smallest_angle(const std::array<Point3, 3>& corner)
+//! A corner where the facet has no area.
+Point3 circumcenter(const std::array<Point3, 3>& corner)
 {
-    double cosine = -1.0;
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-        const Vec3 a = corner[(i + 1) % 3] - corner[i];
-        const Vec3 b = corner[(i + 2) % 3] - corner[i];
-        cosine = std::max(cosine, dot(a, b) / (norm(a) * norm(b)));
-    }
-    return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / std::numbers::pi;
+    const auto circle = circumcircle(corner[0], corner[1], corner[2]);
+    return circle ? circle->center : corner[0];
 }
 
 class InterfaceMesher
@@ -93,7 +49,8 @@ class InterfaceMesher
 public:
     InterfaceMesher(const LabelSurvey& survey, std::span<const std::uint32_t> labels, const Vec3& spacing,
                     const LabelPartition& partition, const MeshingOptions& criteria, ProgressSink* progress)
-        : survey_(survey), spacing_(spacing), partition_(partition), criteria_(criteria), progress_(progress)
+        : survey_(survey), spacing_(spacing), partition_(partition), criteria_(criteria), progress_(progress),
+          pieces_(delaunay_, survey, spacing)
     {
         for (const std::uint32_t label : labels)
             parts_.insert(parts_.end(), survey.labels()[label].parts.begin(),
@@ -113,11 +70,15 @@ public:
             refine();
             if (stopped_)
                 break;
-            missing = parts_without_cell();
+            missing = pieces_.parts_without_cell(parts_);
         }
-        dissolve_crumbs();
-        InterfaceMesh mesh = extract();
-        judge_parts(mesh);
+        InterfaceMesh mesh;
+        mesh.crumbs_dissolved = pieces_.dissolve_crumbs();
+        mesh.status = stopped_.value_or(MeshingStatus::kDone);
+        LabelPieces::Faults faults = pieces_.faults(parts_);
+        mesh.missing_parts = std::move(faults.missing);
+        mesh.merged_parts = std::move(faults.merged);
+        extract(mesh);
         return mesh;
     }
 
@@ -126,9 +87,6 @@ private:
     static constexpr std::size_t kFirstPoints = 14;
     static constexpr std::size_t kMorePoints = 8;
     static constexpr std::size_t kMostPoints = 1000;
-
-    //! Smaller bits of background are slivers: cavities of one voxel are larger.
-    static constexpr double kLeastCavityInVoxels = 0.05;
 
     //! Far enough that their Voronoi cells meet no label, near enough for exactness to come cheap.
     static constexpr double kSentinelDistance = 8.0;
@@ -141,13 +99,13 @@ private:
         const double far = kSentinelDistance * box.diagonal();
         for (const Vec3& direction : {Vec3{1, 1, 1}, Vec3{1, -1, -1}, Vec3{-1, 1, -1}, Vec3{-1, -1, 1}})
             delaunay_.insert(to_cgal(box.center() + far * direction))->info() = kSentinel;
-        for (const CellHandle cell : delaunay_.finite_cell_handles())
+        for (const LabelCell cell : delaunay_.finite_cell_handles())
             update(cell);
     }
 
-    void update(CellHandle cell)
+    void update(LabelCell cell)
     {
-        CellInfo& info = cell->info();
+        LabelledCellData& info = cell->info();
         info.stamp = ++stamps_;
         info.label = 0;
         if (delaunay_.is_infinite(cell))
@@ -210,33 +168,27 @@ private:
         return voxels;
     }
 
-    VertexHandle insert(const Point3& p, CellHandle hint = {})
+    LabelVertex insert(const Point3& p, LabelCell hint = {})
     {
         const std::size_t before = delaunay_.number_of_vertices();
-        const VertexHandle vertex = delaunay_.insert(to_cgal(p), hint == CellHandle() ? last_cell_ : hint);
+        const LabelVertex vertex = delaunay_.insert(to_cgal(p), hint == LabelCell() ? last_cell_ : hint);
         if (delaunay_.number_of_vertices() == before)
             return vertex; // there already
         vertex->info() = vertex_count_++;
         last_cell_ = vertex->cell();
         cells_.clear();
         delaunay_.incident_cells(vertex, std::back_inserter(cells_));
-        for (const CellHandle cell : cells_)
+        for (const LabelCell cell : cells_)
             update(cell);
-        for (const CellHandle cell : cells_)
+        // Facets within the star once each.
+        for (const LabelCell cell : cells_)
             for (int i = 0; i < 4; ++i)
-                if (cell->vertex(i) == vertex || cell < cell->neighbor(i)) // facets within the star once
+                if (cell->vertex(i) == vertex || cell->info().stamp < cell->neighbor(i)->info().stamp)
                     judge(cell, i);
         return vertex;
     }
 
-    [[nodiscard]] static std::array<Point3, 3> corners(CellHandle cell, int index)
-    {
-        return {from_cgal(cell->vertex((index + 1) % 4)->point()),
-                from_cgal(cell->vertex((index + 2) % 4)->point()),
-                from_cgal(cell->vertex((index + 3) % 4)->point())};
-    }
-
-    [[nodiscard]] static bool at_sentinel(CellHandle cell, int index)
+    [[nodiscard]] static bool at_sentinel(LabelCell cell, int index)
     {
         for (int i = 1; i < 4; ++i)
             if (cell->vertex((index + i) % 4)->info() == kSentinel)
@@ -245,15 +197,15 @@ private:
     }
 
     //! Puts the facet on the list of bad ones where it is one.
-    void judge(CellHandle cell, int index)
+    void judge(LabelCell cell, int index)
     {
-        const CellHandle other = cell->neighbor(index);
+        const LabelCell other = cell->neighbor(index);
         if (delaunay_.is_infinite(cell) || delaunay_.is_infinite(other))
             return;
         partition_.find_changes({cell->info().circumcenter, other->info().circumcenter}, changes_);
         if (changes_.empty())
             return;
-        const std::array<Point3, 3> corner = corners(cell, index);
+        const std::array<Point3, 3> corner = facet_corners(cell, index);
         // Of several changes the one farthest from the vertices: points far apart make few of them.
         const auto center = std::max_element(changes_.begin(), changes_.end(),
                                              [&](const auto& a, const auto& b) {
@@ -273,9 +225,9 @@ private:
             return true;
         if (radius <= criteria_.floor_radius)
             return false;
-        return unresolved || smallest_angle(corner) < criteria_.min_facet_angle_deg ||
+        return unresolved || smallest_angle_deg(corner) < criteria_.min_facet_angle_deg ||
                (criteria_.max_facet_distance &&
-                distance(circumcenter_of_triangle(corner), center) > *criteria_.max_facet_distance);
+                distance(circumcenter(corner), center) > *criteria_.max_facet_distance);
     }
 
     void refine()
@@ -308,207 +260,32 @@ private:
             stopped_ = MeshingStatus::kInterrupted;
     }
 
-    //! The part of the cell's label that has the voxel nearest to its circumcenter, among the voxels around
-    //! it.
-    [[nodiscard]] std::optional<std::uint32_t> part_at(const CellInfo& cell) const
+    //! Vertices and faces.
+    void extract(InterfaceMesh& mesh) const
     {
-        const Vec3 index{cell.circumcenter.x / spacing_.x, cell.circumcenter.y / spacing_.y,
-                         cell.circumcenter.z / spacing_.z};
-        std::optional<std::uint32_t> part;
-        double nearest = 0.0;
-        const auto from = [&](std::size_t axis) { return static_cast<int>(std::floor(index[axis])) - 1; };
-        for (int k = from(2); k < from(2) + 4; ++k)
-            for (int j = from(1); j < from(1) + 4; ++j)
-                for (const LabelRun& run : survey_.row(j, k))
-                {
-                    if (survey_.parts()[run.part].label + 1 != cell.label || run.end <= from(0) ||
-                        run.first >= from(0) + 4)
-                        continue;
-                    const int i = std::clamp(static_cast<int>(std::lround(index.x)), run.first, run.end - 1);
-                    const double d = squared_distance(partition_.center({i, j, k}), cell.circumcenter);
-                    if (!part || d < nearest)
-                    {
-                        part = run.part;
-                        nearest = d;
-                    }
-                }
-        return part;
-    }
-
-    [[nodiscard]] std::vector<std::uint32_t> parts_without_cell() const
-    {
-        std::vector<bool> has_cell(survey_.parts().size(), false);
-        for (const CellHandle cell : delaunay_.finite_cell_handles())
-            if (cell->info().label != 0)
-                if (const auto part = part_at(cell->info()))
-                    has_cell[*part] = true;
-        std::vector<std::uint32_t> missing;
-        std::copy_if(parts_.begin(), parts_.end(), std::back_inserter(missing),
-                     [&](std::uint32_t part) { return !has_cell[part]; });
-        return missing;
-    }
-
-    //! Parts that have no piece, and parts whose piece is that of a larger one.
-    void judge_parts(InterfaceMesh& mesh)
-    {
-        const std::map<std::uint32_t, std::uint32_t> piece_of_part = pieces_of_parts(find_pieces());
-        std::map<std::uint32_t, std::uint32_t> largest_in; // part of each piece
-        for (const auto& [part, number] : piece_of_part)
-        {
-            const auto [known, is_new] = largest_in.emplace(number, part);
-            if (is_new)
-                continue;
-            if (survey_.parts()[part].voxels > survey_.parts()[known->second].voxels)
-                known->second = part;
-        }
-        for (const std::uint32_t part : parts_)
-        {
-            const auto piece = piece_of_part.find(part);
-            if (piece == piece_of_part.end())
-                mesh.missing_parts.push_back(part);
-            else if (largest_in.at(piece->second) != part)
-                mesh.merged_parts.push_back(part);
-        }
-    }
-
-    //! Delaunay cells of one label that are joined through facets.
-    struct Piece
-    {
-        double volume = 0.0;
-        PartitionLabel label = 0;
-        bool outer = false;                             //!< it reaches to infinity
-        std::map<std::uint32_t, double> volume_of_part; //!< by place
-    };
-
-    //! By the number that their cells then have.
-    std::map<std::uint32_t, Piece> find_pieces()
-    {
-        std::vector<CellHandle> cells;
-        for (const CellHandle cell : delaunay_.all_cell_handles())
-        {
-            cell->info().number = static_cast<std::uint32_t>(cells.size());
-            cells.push_back(cell);
-        }
-        UnionFind sets(cells.size());
-        for (const CellHandle cell : cells)
-            for (int i = 0; i < 4; ++i)
-                if (cell->neighbor(i)->info().label == cell->info().label)
-                    sets.unite(cell->info().number, cell->neighbor(i)->info().number);
-        std::map<std::uint32_t, Piece> pieces;
-        for (std::uint32_t i = 0; i < cells.size(); ++i)
-        {
-            const CellHandle cell = cells[i];
-            cell->info().number = sets.find(i);
-            Piece& piece = pieces[cell->info().number];
-            piece.label = cell->info().label;
-            if (delaunay_.is_infinite(cell))
-            {
-                piece.outer = true;
-                continue;
-            }
-            const double volume = delaunay_.tetrahedron(cell).volume();
-            piece.volume += volume;
-            if (piece.label == 0)
-                continue;
-            if (const auto part = part_at(cell->info()))
-                piece.volume_of_part[*part] += volume;
-        }
-        return pieces;
-    }
-
-    //! The piece that has most of each part.
-    static std::map<std::uint32_t, std::uint32_t>
-    pieces_of_parts(const std::map<std::uint32_t, Piece>& pieces)
-    {
-        std::map<std::uint32_t, std::pair<double, std::uint32_t>> best;
-        for (const auto& [number, piece] : pieces)
-            for (const auto& [part, volume] : piece.volume_of_part)
-                best[part] = std::max(best[part], std::pair{volume, number});
-        std::map<std::uint32_t, std::uint32_t> piece_of_part;
-        for (const auto& [part, found] : best)
-            piece_of_part[part] = found.second;
-        return piece_of_part;
-    }
-
-    //! Slivers make pieces of a label that none of its parts needs: all but the largest piece of each part,
-    //! and bits of background. Their cells get the label around them that they share the largest facet with.
-    void dissolve_crumbs()
-    {
-        constexpr int kRounds = 4;
-        for (int round = 0; round < kRounds && dissolve_once(); ++round)
-            continue;
-    }
-
-    bool dissolve_once()
-    {
-        const std::map<std::uint32_t, Piece> pieces = find_pieces();
-        std::set<std::uint32_t> needed;
-        for (const auto& [part, number] : pieces_of_parts(pieces))
-            needed.insert(number);
-        const double least_of_background = kLeastCavityInVoxels * spacing_.x * spacing_.y * spacing_.z;
-        std::vector<std::pair<CellHandle, PartitionLabel>> relabelled;
-        for (const CellHandle cell : delaunay_.finite_cell_handles())
-        {
-            const Piece& piece = pieces.at(cell->info().number);
-            const bool wanted = piece.label == 0 ? piece.outer || piece.volume >= least_of_background
-                                                 : needed.contains(cell->info().number);
-            if (!wanted)
-                relabelled.emplace_back(cell, label_around(cell));
-        }
-        bool changed = false;
-        for (const auto& [cell, label] : relabelled)
-        {
-            crumbs_ += cell->info().label != label ? 1 : 0;
-            changed = changed || cell->info().label != label;
-            cell->info().label = label;
-        }
-        return changed;
-    }
-
-    [[nodiscard]] PartitionLabel label_around(CellHandle cell) const
-    {
-        PartitionLabel best = cell->info().label;
-        double most = 0.0;
-        for (int i = 0; i < 4; ++i)
-        {
-            const std::array<Point3, 3> corner = corners(cell, i);
-            const double area = norm(cross(corner[1] - corner[0], corner[2] - corner[0]));
-            if (cell->neighbor(i)->info().label != cell->info().label && area > most)
-            {
-                most = area;
-                best = cell->neighbor(i)->info().label;
-            }
-        }
-        return best;
-    }
-
-    InterfaceMesh extract() const
-    {
-        InterfaceMesh mesh{.vertices = {},
-                           .faces = {},
-                           .missing_parts = {},
-                           .merged_parts = {},
-                           .crumbs_dissolved = crumbs_,
-                           .status = stopped_.value_or(MeshingStatus::kDone)};
         mesh.vertices.resize(vertex_count_);
-        for (const VertexHandle vertex : delaunay_.finite_vertex_handles())
+        for (const LabelVertex vertex : delaunay_.finite_vertex_handles())
             if (vertex->info() != kSentinel)
                 mesh.vertices[vertex->info()] = from_cgal(vertex->point());
         for (const auto& facet : delaunay_.finite_facets())
         {
-            const CellHandle cell = facet.first;
-            const CellHandle other = cell->neighbor(facet.second);
-            if (cell->info().label == other->info().label || at_sentinel(cell, facet.second))
+            // CGAL names the facet from the cell at the lower address: choose the side by label instead.
+            const bool turned = facet.first->info().label > facet.first->neighbor(facet.second)->info().label;
+            const auto [cell, index] = turned ? delaunay_.mirror_facet(facet) : facet;
+            const PartitionLabel front = cell->info().label;
+            const PartitionLabel behind = cell->neighbor(index)->info().label;
+            if (front == behind || at_sentinel(cell, index))
                 continue;
-            InterfaceFace face{.vertices = {}, .front = cell->info().label, .behind = other->info().label};
+            InterfaceFace face{.vertices = {}, .front = front, .behind = behind};
             for (int i = 0; i < 3; ++i)
                 face.vertices[static_cast<std::size_t>(i)] =
-                    cell->vertex(Delaunay::vertex_triple_index(facet.second, i))->info();
+                    cell->vertex(LabelDelaunay::vertex_triple_index(index, i))->info();
+            std::rotate(face.vertices.begin(), std::min_element(face.vertices.begin(), face.vertices.end()),
+                        face.vertices.end());
             mesh.faces.push_back(face);
         }
         std::sort(mesh.faces.begin(), mesh.faces.end(),
                   [](const InterfaceFace& a, const InterfaceFace& b) { return a.vertices < b.vertices; });
-        return mesh;
     }
 
     const LabelSurvey& survey_;
@@ -518,15 +295,15 @@ private:
     ProgressSink* progress_;
     std::vector<std::uint32_t> parts_; //!< of the labels asked for
 
-    Delaunay delaunay_;
-    CellHandle last_cell_;
+    LabelDelaunay delaunay_;
+    LabelPieces pieces_;
+    LabelCell last_cell_;
     std::uint32_t vertex_count_ = 0; //!< without sentinels
     std::uint64_t stamps_ = 0;
     std::vector<BadFacet> bad_facets_;
-    std::size_t crumbs_ = 0;
     std::size_t next_report_ = 0;
     std::optional<MeshingStatus> stopped_ = std::nullopt; //!< why, before the work was done
-    std::vector<CellHandle> cells_;                       //!< scratch
+    std::vector<LabelCell> cells_;                        //!< scratch
     std::vector<LabelPartition::Change> changes_;         //!< scratch
 };
 

@@ -1,6 +1,7 @@
 #include "postprocess/angle_repair.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "postprocess/face_shape.h"
@@ -20,12 +21,24 @@ constexpr double kLeastGain = 0.01;
 constexpr int kRoundsInPlane = 2;
 constexpr int kRoundsOnSurface = 1;
 
-//! First changes that a second one is tried after.
-constexpr std::size_t kMostFirstChanges = 6;
+//! Work aims at so much more than the target, degrees, lest faces fall below by the next.
+constexpr double kMarginDeg = 1.0;
 
-//! Faces a round tries two steps on, at about 0.2 s each. Where there are more it is the surface or the
-//! bound.
-constexpr std::size_t kMostTwoSteps = 200;
+//! The same for annealing, which is the last: what rounding to 32 bits may cost small faces.
+constexpr double kAnnealingMarginDeg = 0.25;
+
+//! Short runs from ever new seeds do better than one long one.
+constexpr std::size_t kAnnealingSteps = 4000;
+constexpr std::array kTemperatures{200.0, 30.0, 5.0};
+
+//! In all, at about 0.2 s each. A skull takes half as many; where there is work for more it is the surface
+//! or the bound.
+constexpr std::size_t kMostAnnealings = 400;
+
+//! Rounds that leave as many faces of each patch beyond the bound as there are. Later ones may have more, up
+//! to what the whole mesh had.
+constexpr std::size_t kPatientRounds = 2;
+constexpr std::size_t kMostMoreBeyond = 4; // at once
 
 //! Trials that are put to the guard, the best first.
 constexpr std::size_t kMostQuestions = 24;
@@ -53,22 +66,29 @@ std::vector<std::uint32_t> surroundings(const EditableMesh& mesh, std::uint32_t 
     return vertices;
 }
 
+//! With all neighbours.
+std::vector<std::uint32_t> with_ring(const EditableMesh& mesh, std::vector<std::uint32_t> vertices)
+{
+    const std::size_t count = vertices.size();
+    for (std::size_t i = 0; i < count; ++i)
+        for (const std::uint32_t v : mesh.neighbours(vertices[i]))
+            add_if_new(vertices, v);
+    return vertices;
+}
+
 //! The face's corners and all their neighbours.
 std::vector<std::uint32_t> wide_surroundings(const EditableMesh& mesh, std::uint32_t f)
 {
     const Face& face = mesh.face(f);
-    std::vector<std::uint32_t> vertices(face.begin(), face.end());
-    for (const std::uint32_t corner : face)
-        for (const std::uint32_t v : mesh.neighbours(corner))
-            add_if_new(vertices, v);
-    return vertices;
+    return with_ring(mesh, {face.begin(), face.end()});
 }
 
 } // namespace
 
 AngleRepair::AngleRepair(EditableMesh& mesh, const BoundingSurface& surface, PatchGuard& guard,
-                         double goal_angle_deg)
-    : mesh_(mesh), surface_(surface), guard_(guard), goal_angle_deg_(goal_angle_deg)
+                         double target_angle_deg, std::size_t most_beyond)
+    : mesh_(mesh), surface_(surface), guard_(guard), target_angle_deg_(target_angle_deg),
+      goal_angle_deg_(target_angle_deg + kMarginDeg), most_beyond_(most_beyond)
 {
 }
 
@@ -78,12 +98,12 @@ double AngleRepair::angle_of(std::uint32_t f) const
     return smallest_angle_deg(mesh_.point(face[0]), mesh_.point(face[1]), mesh_.point(face[2]));
 }
 
-ShortFaces AngleRepair::short_faces(double angle_deg) const
+ShortFaces AngleRepair::short_faces() const
 {
     ShortFaces count;
     for (std::uint32_t f = 0; f < mesh_.face_count(); ++f)
     {
-        if (!mesh_.is_alive(f) || !(angle_of(f) < angle_deg))
+        if (!mesh_.is_alive(f) || !(angle_of(f) < target_angle_deg_))
             continue;
         const PatchFit fit = guard_.fit(FacePatch(mesh_, wide_surroundings(mesh_, f)));
         if (fit.beyond > 0)
@@ -108,33 +128,64 @@ bool AngleRepair::run_once(RepairEffort effort)
 {
     bool gained = false;
     const auto count = static_cast<std::uint32_t>(mesh_.face_count());
-    std::size_t tries = effort == RepairEffort::kTwoSteps ? kMostTwoSteps : count;
-    for (std::uint32_t f = 0; f < count && tries > 0; ++f)
+    for (std::uint32_t f = 0; f < count; ++f)
         if (mesh_.is_alive(f) && angle_of(f) < goal_angle_deg_)
-        {
-            --tries;
             gained = repair(f, effort) || gained;
-        }
     return gained;
 }
 
 bool AngleRepair::repair(std::uint32_t f, RepairEffort effort)
 {
-    const bool is_wide = effort == RepairEffort::kTwoSteps;
-    const FacePatch before(mesh_, is_wide ? wide_surroundings(mesh_, f) : surroundings(mesh_, f));
-    const Trial start{before, before.shortfall(goal_angle_deg_), {}};
-    std::vector<Trial> found = trials(start, is_wide ? changes_in(before) : changes_of(f), effort);
-    if (is_wide)
+    const FacePatch before(mesh_, surroundings(mesh_, f));
+    return accept_best(trials(before, changes_of(f), effort), before);
+}
+
+std::vector<std::uint32_t> AngleRepair::short_face_list() const
+{
+    std::vector<std::uint32_t> list;
+    for (std::uint32_t f = 0; f < mesh_.face_count(); ++f)
+        if (mesh_.is_alive(f) && angle_of(f) < target_angle_deg_)
+            list.push_back(f);
+    return list;
+}
+
+void AngleRepair::anneal_short_faces(const ShiftBound& shift_bound)
+{
+    beyond_ = count_beyond(mesh_.mesh(), surface_);
+    for (std::size_t round = 0; annealings_ < kMostAnnealings; ++round)
     {
-        const std::size_t first_changes = std::min(found.size(), kMostFirstChanges);
-        for (std::size_t i = 0; i < first_changes; ++i)
-        {
-            const Trial first = found[i];
-            for (Trial& second : trials(first, changes_in(first.patch), effort))
-                found.push_back(std::move(second));
-        }
+        const std::vector<std::uint32_t> faces = short_face_list();
+        if (faces.empty())
+            return;
+        for (const std::uint32_t f : faces)
+            anneal_around(f, round, shift_bound);
     }
-    return accept_best(std::move(found), before);
+}
+
+//! On patches of three sizes.
+void AngleRepair::anneal_around(std::uint32_t f, std::size_t round, const ShiftBound& shift_bound)
+{
+    constexpr int kSizes = 3;
+    const double goal_angle_deg = target_angle_deg_ + kAnnealingMarginDeg;
+    for (int size = 0; size < kSizes && mesh_.is_alive(f) && annealings_ < kMostAnnealings; ++size)
+    {
+        std::vector<std::uint32_t> inner = size == 0 ? surroundings(mesh_, f) : wide_surroundings(mesh_, f);
+        if (size == 2)
+            inner = with_ring(mesh_, std::move(inner));
+        const FacePatch before(mesh_, inner);
+        const std::size_t spare = most_beyond_ - std::min(most_beyond_, beyond_);
+        const ChangedPatch found =
+            anneal(before, surface_, guard_, shift_bound,
+                   {.goal_angle_deg = goal_angle_deg,
+                    .steps = kAnnealingSteps,
+                    .seed = annealings_++,
+                    .more_beyond = round < kPatientRounds ? 0 : std::min(spare, kMostMoreBeyond),
+                    .temperature = kTemperatures[round % kTemperatures.size()]});
+        if (found.shortfall > before.shortfall(goal_angle_deg) - kLeastGain)
+            continue;
+        beyond_ = beyond_ + guard_.fit(found.patch).beyond - guard_.fit(before).beyond;
+        commit(found);
+    }
 }
 
 std::vector<AngleRepair::Change> AngleRepair::changes_of(std::uint32_t f) const
@@ -147,23 +198,14 @@ std::vector<AngleRepair::Change> AngleRepair::changes_of(std::uint32_t f) const
     return changes;
 }
 
-std::vector<AngleRepair::Change> AngleRepair::changes_in(const FacePatch& patch)
-{
-    std::vector<Change> changes{{Change::Kind::kNone, 0, 0}};
-    for (const auto& [a, b] : patch.inner_edges())
-        for (const auto kind : {Change::Kind::kFlip, Change::Kind::kCollapse, Change::Kind::kSplit})
-            changes.push_back({kind, a, b});
-    return changes;
-}
-
 //! Patches after one change each and the best moves after it, those with the smallest shortfall first.
-std::vector<AngleRepair::Trial> AngleRepair::trials(const Trial& from, const std::vector<Change>& changes,
-                                                    RepairEffort effort) const
+std::vector<ChangedPatch> AngleRepair::trials(const FacePatch& before, const std::vector<Change>& changes,
+                                              RepairEffort effort) const
 {
-    std::vector<Trial> result;
+    std::vector<ChangedPatch> result;
     for (const Change& change : changes)
     {
-        Trial trial = from;
+        ChangedPatch trial{before, 0.0, {}};
         bool is_possible = true;
         switch (change.kind)
         {
@@ -192,7 +234,7 @@ std::vector<AngleRepair::Trial> AngleRepair::trials(const Trial& from, const std
         result.push_back(std::move(trial));
     }
     std::stable_sort(result.begin(), result.end(),
-                     [](const Trial& a, const Trial& b) { return a.shortfall < b.shortfall; });
+                     [](const ChangedPatch& a, const ChangedPatch& b) { return a.shortfall < b.shortfall; });
     return result;
 }
 
@@ -210,19 +252,20 @@ bool AngleRepair::project(FacePatch& patch) const
     return true;
 }
 
-bool AngleRepair::accept_best(std::vector<Trial> found, const FacePatch& before)
+bool AngleRepair::accept_best(std::vector<ChangedPatch> found, const FacePatch& before)
 {
     const double to_beat = before.shortfall(goal_angle_deg_) - kLeastGain;
-    std::erase_if(found, [&](Trial& trial) { return trial.shortfall > to_beat || !project(trial.patch); });
-    for (Trial& trial : found)
+    std::erase_if(found,
+                  [&](ChangedPatch& trial) { return trial.shortfall > to_beat || !project(trial.patch); });
+    for (ChangedPatch& trial : found)
         trial.shortfall = trial.patch.shortfall(goal_angle_deg_);
     const double smallest_before = before.smallest_angle_deg();
     std::erase_if(found,
-                  [&](const Trial& trial) {
+                  [&](const ChangedPatch& trial) {
                       return trial.shortfall > to_beat || trial.patch.smallest_angle_deg() < smallest_before;
                   });
     std::stable_sort(found.begin(), found.end(),
-                     [](const Trial& a, const Trial& b) { return a.shortfall < b.shortfall; });
+                     [](const ChangedPatch& a, const ChangedPatch& b) { return a.shortfall < b.shortfall; });
     found.erase(found.begin() + static_cast<std::ptrdiff_t>(std::min(found.size(), kMostQuestions)),
                 found.end());
     if (found.empty())
@@ -230,15 +273,18 @@ bool AngleRepair::accept_best(std::vector<Trial> found, const FacePatch& before)
     const PatchFit fit_before = guard_.fit(before);
     const auto best =
         std::find_if(found.begin(), found.end(),
-                     [&](const Trial& trial) { return guard_.is_sound(trial.patch, fit_before); });
+                     [&](const ChangedPatch& trial) { return guard_.is_sound(trial.patch, fit_before); });
     if (best == found.end())
         return false;
-    best->patch.commit(mesh_);
-    guard_.update();
-    counts_.flips += best->changes.flips;
-    counts_.collapses += best->changes.collapses;
-    counts_.splits += best->changes.splits;
+    commit(*best);
     return true;
+}
+
+void AngleRepair::commit(const ChangedPatch& changed)
+{
+    changed.patch.commit(mesh_);
+    guard_.update();
+    counts_ += changed.changes;
 }
 
 } // namespace voroprobe

@@ -4,18 +4,11 @@
 
 #include "postprocess/bounding_surface.h"
 #include "postprocess/editable_mesh.h"
+#include "postprocess/patch_annealing.h"
 #include "postprocess/patch_guard.h"
 
 namespace voroprobe
 {
-
-//! What was done to a mesh to raise its angles.
-struct RelaxationCounts
-{
-    std::size_t flips = 0;
-    std::size_t collapses = 0;
-    std::size_t splits = 0;
-};
 
 //! Faces with an angle too small, by what is around them.
 struct ShortFaces
@@ -30,24 +23,30 @@ struct ShortFaces
 //! How hard to try, from cheap to dear.
 enum class RepairEffort
 {
-    kPlane,    //!< vertices move in planes and are projected after it; one change around the face
-    kSurface,  //!< every place tried is on the surface and within the bound
-    kTwoSteps, //!< in planes; a second change after the most promising first ones, over a wider patch
+    kPlane,  //!< vertices move in planes and are projected after it; one change around the face
+    kSurface //!< every place tried is on the surface and within the bound
 };
 
-//! Works on faces with an angle below a goal one by one: the best of moves, flips, collapses and splits
-//! around each is taken, where angles get better, none gets below the smallest there, and the guard agrees.
+//! Works on faces with too small an angle one by one, by moves, flips, collapses and splits around each,
+//! where angles get better, none gets below the smallest there, and the guard agrees.
 class AngleRepair
 {
 public:
-    //! All must outlive it. `goal_angle_deg`: degrees, in [0, 60].
-    AngleRepair(EditableMesh& mesh, const BoundingSurface& surface, PatchGuard& guard, double goal_angle_deg);
+    //! All must outlive it. `target_angle_deg`: degrees, in [0, 40]. `most_beyond`: faces that may lie beyond
+    //! the bound in the end; as many as do now where that is more.
+    AngleRepair(EditableMesh& mesh, const BoundingSurface& surface, PatchGuard& guard,
+                double target_angle_deg, std::size_t most_beyond);
 
-    //! Goes over the mesh up to so many times, until nothing is gained any more.
+    //! Takes the best of single changes around each face. Goes over the mesh up to so many times, until
+    //! nothing is gained any more.
     void run(int rounds, RepairEffort effort);
 
-    //! Faces with a smaller angle, degrees, and why.
-    [[nodiscard]] ShortFaces short_faces(double angle_deg) const;
+    //! Anneals the patches around the faces that are left, again and again until there is none or the effort
+    //! is spent.
+    void anneal_short_faces(const ShiftBound& shift_bound);
+
+    //! Faces below the target, and why.
+    [[nodiscard]] ShortFaces short_faces() const;
     [[nodiscard]] const RelaxationCounts& counts() const { return counts_; }
 
 private:
@@ -64,27 +63,26 @@ private:
         std::uint32_t a;
         std::uint32_t b;
     };
-    struct Trial
-    {
-        FacePatch patch;
-        double shortfall; //!< see FacePatch::shortfall()
-        RelaxationCounts changes;
-    };
-
     [[nodiscard]] double angle_of(std::uint32_t face) const;
     bool run_once(RepairEffort effort);
     bool repair(std::uint32_t face, RepairEffort effort);
+    void anneal_around(std::uint32_t face, std::size_t round, const ShiftBound& shift_bound);
+    [[nodiscard]] std::vector<std::uint32_t> short_face_list() const;
     [[nodiscard]] std::vector<Change> changes_of(std::uint32_t face) const;
-    [[nodiscard]] static std::vector<Change> changes_in(const FacePatch& patch);
-    [[nodiscard]] std::vector<Trial> trials(const Trial& from, const std::vector<Change>& changes,
-                                            RepairEffort effort) const;
+    [[nodiscard]] std::vector<ChangedPatch>
+    trials(const FacePatch& before, const std::vector<Change>& changes, RepairEffort effort) const;
     [[nodiscard]] bool project(FacePatch& patch) const;
-    bool accept_best(std::vector<Trial> trials, const FacePatch& before);
+    bool accept_best(std::vector<ChangedPatch> trials, const FacePatch& before);
+    void commit(const ChangedPatch& changed);
 
     EditableMesh& mesh_;
     const BoundingSurface& surface_;
     PatchGuard& guard_;
-    double goal_angle_deg_;
+    double target_angle_deg_;
+    double goal_angle_deg_; //!< a little more
+    std::size_t most_beyond_;
+    std::size_t beyond_ = 0;     //!< faces beyond the bound while annealing
+    std::size_t annealings_ = 0; //!< so far
     RelaxationCounts counts_;
 };
 

@@ -285,6 +285,37 @@ void FacePatch::improve_positions(int rounds, const BoundingSurface* surface)
             improve_position(v, surface);
 }
 
+TriangleMesh FacePatch::mesh() const
+{
+    TriangleMesh mesh;
+    std::vector<std::uint32_t> vertices;
+    for (const Face& face : faces_)
+    {
+        Face renamed = face;
+        for (std::uint32_t& v : renamed)
+        {
+            const auto known = std::find(vertices.begin(), vertices.end(), v);
+            const auto place = static_cast<std::uint32_t>(known - vertices.begin());
+            if (known == vertices.end())
+            {
+                vertices.push_back(v);
+                mesh.vertices.push_back(point(v));
+            }
+            v = place;
+        }
+        mesh.faces.push_back(renamed);
+    }
+    return mesh;
+}
+
+double FacePatch::longest_edge_at(std::uint32_t vertex) const
+{
+    double longest = 0.0;
+    for (const std::uint32_t v : neighbours(vertex))
+        longest = std::max(longest, distance(point(vertex), point(v)));
+    return longest;
+}
+
 double FacePatch::shortfall(double goal_angle_deg) const
 {
     double sum = 0.0;

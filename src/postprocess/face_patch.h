@@ -46,6 +46,12 @@ public:
     [[nodiscard]] bool has_moved(std::uint32_t vertex) const;
     void move(std::uint32_t vertex, const Point3& to);
 
+    //! By itself: the faces and the vertices on them.
+    [[nodiscard]] TriangleMesh mesh() const;
+
+    //! Scan units; of the faces that the patch knows.
+    [[nodiscard]] double longest_edge_at(std::uint32_t vertex) const;
+
     //! Squared degrees by which angles fall short of a goal, in sum over the faces.
     [[nodiscard]] double shortfall(double goal_angle_deg) const;
     [[nodiscard]] double smallest_angle_deg() const;

@@ -21,6 +21,9 @@ constexpr double kCosLargestTilt = 0.26;
 //! The same at creases.
 constexpr double kCosLargestTiltAtCreases = -0.2;
 
+//! Faces that are remembered: those of the patches of one place.
+constexpr std::size_t kMostKnown = 100000;
+
 //! A few faces with vertices of their own.
 struct LocalMesh
 {
@@ -44,22 +47,32 @@ struct LocalMesh
 
 } // namespace
 
-PatchFit PatchGuard::fit(const FacePatch& patch) const
+const PatchGuard::FaceFit& PatchGuard::fit_of(const Point3& a, const Point3& b, const Point3& c)
+{
+    if (known_.size() > kMostKnown)
+        known_.clear();
+    const auto [entry, is_new] = known_.try_emplace({a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z});
+    FaceFit& fit = entry->second;
+    if (!is_new)
+        return fit;
+    const Point3 middle = (a + b + c) / 3.0;
+    const auto near = surface_.projection(middle);
+    fit.face_distance = surface_.distance(a, b, c);
+    fit.middle_distance = near ? distance(middle, near->point) : std::numeric_limits<double>::infinity();
+    fit.tilt = near ? dot(unit_normal(a, b, c), near->normal) : -1.0;
+    return fit;
+}
+
+PatchFit PatchGuard::fit(const FacePatch& patch)
 {
     PatchFit fit;
     for (const Face& face : patch.faces())
     {
-        const Point3 a = patch.point(face[0]);
-        const Point3 b = patch.point(face[1]);
-        const Point3 c = patch.point(face[2]);
-        const Point3 middle = (a + b + c) / 3.0;
-        const double face_distance = surface_.distance(a, b, c);
-        fit.beyond += face_distance > surface_.max_distance ? 1 : 0;
-        fit.face_distance = std::max(fit.face_distance, face_distance);
-        const auto near = surface_.projection(middle);
-        fit.middle_distance = std::max(fit.middle_distance, near ? distance(middle, near->point)
-                                                                 : std::numeric_limits<double>::infinity());
-        fit.tilt = std::min(fit.tilt, near ? dot(unit_normal(a, b, c), near->normal) : -1.0);
+        const FaceFit& of_face = fit_of(patch.point(face[0]), patch.point(face[1]), patch.point(face[2]));
+        fit.beyond += of_face.face_distance > surface_.max_distance ? 1 : 0;
+        fit.face_distance = std::max(fit.face_distance, of_face.face_distance);
+        fit.middle_distance = std::max(fit.middle_distance, of_face.middle_distance);
+        fit.tilt = std::min(fit.tilt, of_face.tilt);
     }
     return fit;
 }
@@ -72,7 +85,7 @@ bool PatchGuard::keeps_to_surface(const PatchFit& after, const PatchFit& before)
            (after.tilt >= kCosLargestTilt || after.tilt >= std::min(kCosLargestTiltAtCreases, before.tilt));
 }
 
-bool PatchGuard::is_sound(const FacePatch& after, const PatchFit& before) const
+bool PatchGuard::is_sound(const FacePatch& after, const PatchFit& before)
 {
     return keeps_to_surface(fit(after), before) && crosses_nothing(after);
 }

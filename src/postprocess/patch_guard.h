@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <map>
 
 #include "postprocess/bounding_surface.h"
 #include "postprocess/face_grid.h"
@@ -28,12 +30,13 @@ public:
     {
     }
 
-    [[nodiscard]] PatchFit fit(const FacePatch& patch) const;
+    [[nodiscard]] PatchFit fit(const FacePatch& patch);
 
     //! No more faces lie beyond the bound than did, none farther than the farthest did, none looks against
     //! the surface, and none crosses another face. Where the surface has creases as fine as the mesh, which
-    //! have no direction of their own, faces may look along it. Cost: about 0.2 ms.
-    [[nodiscard]] bool is_sound(const FacePatch& after, const PatchFit& before) const;
+    //! have no direction of their own, faces may look along it. Cost: about 0.2 ms, less for faces seen
+    //! lately.
+    [[nodiscard]] bool is_sound(const FacePatch& after, const PatchFit& before);
 
     [[nodiscard]] bool crosses_nothing(const FacePatch& patch) const;
 
@@ -41,11 +44,21 @@ public:
     void update() { grid_.update(); }
 
 private:
+    struct FaceFit
+    {
+        double face_distance;
+        double middle_distance;
+        double tilt;
+    };
+    using Corners = std::array<double, 9>;
+
+    [[nodiscard]] const FaceFit& fit_of(const Point3& a, const Point3& b, const Point3& c);
     [[nodiscard]] bool keeps_to_surface(const PatchFit& after, const PatchFit& before) const;
 
     const BoundingSurface& surface_;
     const EditableMesh& mesh_;
     FaceGrid grid_;
+    std::map<Corners, FaceFit> known_; //!< of faces seen lately
 };
 
 } // namespace voroprobe

@@ -11,6 +11,7 @@
 #include "postprocess/editable_mesh.h"
 #include "postprocess/patch_guard.h"
 #include "postprocess/relaxation_sweeps.h"
+#include "postprocess/shift_bound.h"
 #include "support/error.h"
 
 namespace voroprobe
@@ -24,16 +25,15 @@ using Face = TriangleMesh::Face;
 //! Rounds of repair, by effort; each deals with all faces below the goal.
 constexpr int kRoundsInPlane = 8;
 constexpr int kRoundsOnSurface = 6;
-constexpr int kRoundsOfTwoSteps = 2;
-
-//! Repair works on faces that have so much more than the target, degrees, lest they fall below by the next.
-constexpr double kMarginDeg = 1.0;
 
 //! Times that the sweeps are begun anew with more vertices held.
 constexpr int kMostAttempts = 8;
 
 //! What surrounds a crossing is held as well, to so many edges from it.
 constexpr int kHeldRings = 2;
+
+//! Of what is annealed, in largest distances from the surface.
+constexpr double kLargestShift = 4.0;
 
 //! Cells of the grid that finds faces near a patch, in typical edges.
 constexpr double kEdgesPerCell = 1.5;
@@ -123,17 +123,17 @@ RelaxationResult relax(const TriangleMesh& mesh, const BoundingSurface& surface,
     RelaxationResult result;
     EditableMesh editable = swept(mesh, surface, options.sweeps, result);
     PatchGuard guard(editable, surface, kEdgesPerCell * typical_edge_length(mesh));
-    AngleRepair repair(editable, surface, guard, options.target_angle_deg + kMarginDeg);
+    AngleRepair repair(editable, surface, guard, options.target_angle_deg, count_beyond(mesh, surface));
     repair.run(kRoundsInPlane, RepairEffort::kPlane);
     repair.run(kRoundsOnSurface, RepairEffort::kSurface);
-    repair.run(kRoundsOfTwoSteps, RepairEffort::kTwoSteps);
-    repair.run(kRoundsOnSurface, RepairEffort::kSurface);
+    repair.anneal_short_faces(
+        ShiftBound(mesh, std::min(kLargestShift * surface.max_distance, options.max_shift)));
     result.mesh = editable.mesh();
     result.vertices_moved = count_moved(mesh, editable);
     result.edges_flipped += repair.counts().flips;
     result.edges_collapsed = repair.counts().collapses;
     result.edges_split = repair.counts().splits;
-    result.short_faces = repair.short_faces(options.target_angle_deg);
+    result.short_faces = repair.short_faces();
     result.self_intersections = self_intersections(result.mesh).size();
     return result;
 }

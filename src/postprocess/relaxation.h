@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 
 #include "mesh/triangle_mesh.h"
 #include "postprocess/angle_repair.h"
@@ -14,6 +15,10 @@ struct RelaxationOptions
 {
     //! What the smallest angle is to be, degrees, in [0, 40]. Faces with less are told.
     double target_angle_deg = 33.0;
+
+    //! Scan units, > 0: where faces have long been beyond the bound the surface does not hold what is
+    //! annealed; it ends no farther from where it was, and no farther than four times the bound.
+    double max_shift = std::numeric_limits<double>::infinity();
 
     //! Passes over the whole mesh before that.
     int sweeps = 8;
@@ -34,12 +39,12 @@ struct RelaxationResult
 
 //! Raises the angles of a closed mesh and keeps its surface: vertices move along the surface towards the
 //! middle of their neighbours and are projected back, edges flip where that raises the smallest angle; then
-//! every face below the target gets the best of moves, flips, collapses and splits around it. The topology
-//! stays as it is. No face comes to lie farther from the surface than the bound, but for as many as lay
-//! beyond it before, and none of these farther than the farthest near it did. Where faces would come to
-//! cross, what lies around is left to exact checks. Deterministic. \pre closed, manifold. \throw UsageError
-//! where an option is out of its range. Cost: about 0.1 ms a face. Source of the sweeps: Botsch & Kobbelt
-//! 2004, "A remeshing approach to multiresolution modeling".
+//! every face below the target gets the best of moves, flips, collapses and splits around it, and what that
+//! leaves is annealed. The topology stays as it is. No face comes to lie farther from the surface than the
+//! bound, but for as many as lay beyond it before, and none of these farther than the farthest near it did.
+//! Where faces would come to cross, what lies around is left to exact checks. Deterministic. \pre closed,
+//! manifold. \throw UsageError where an option is out of its range. Cost: about 0.1 ms a face. Source of the
+//! sweeps: Botsch & Kobbelt 2004, "A remeshing approach to multiresolution modeling".
 RelaxationResult relax(const TriangleMesh& mesh, const BoundingSurface& surface,
                        const RelaxationOptions& options = {});
 

@@ -1,11 +1,14 @@
 #include "labels/interface_meshing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 
 #include <gtest/gtest.h>
 
 #include "certificate/self_intersections.h"
+#include "labels/enclosed_background.h"
 #include "labels/joint_meshing.h"
 #include "labels/label_cavities.h"
 #include "mesh/measures.h"
@@ -183,6 +186,93 @@ TEST(InterfaceMeshing, volumes_and_cavities_are_kept_whatever_fills_these)
     }
 }
 
+//! A block of label 1 with holes of background: single voxels, two that touch at an edge, two at a corner,
+//! one that touches the outside at an edge, one of two voxels; and a dent, which is none.
+Volume pierced_block()
+{
+    const std::array<std::size_t, 3> size{18, 14, 14};
+    std::vector<std::uint8_t> samples;
+    for (int k = 0; k < 14; ++k)
+        for (int j = 0; j < 14; ++j)
+            for (int i = 0; i < 18; ++i)
+                samples.push_back(i >= 2 && i < 16 && j >= 2 && j < 12 && k >= 2 && k < 12 ? 1 : 0);
+    for (const auto& [i, j, k] : {SampleIndex{4, 4, 4},
+                                  {8, 5, 5},
+                                  {9, 6, 5},
+                                  {5, 8, 8},
+                                  {6, 9, 9},
+                                  {12, 6, 6},
+                                  {13, 6, 6},
+                                  {15, 9, 8},
+                                  {14, 8, 8}})
+        samples[static_cast<std::size_t>(i + 18 * (j + 14 * k))] = 0;
+    return make_volume({.size = size, .spacing = kUnit, .direction = {}, .origin = {}}, std::move(samples));
+}
+
+TEST(InterfaceMeshing, holes_of_background_are_kept_though_they_touch_at_edges_and_corners)
+{
+    const LabelSurvey survey(pierced_block());
+    ASSERT_EQ(count_cavities(survey, 0), 7U);
+    const auto meshes = mesh_jointly(survey);
+    ASSERT_EQ(meshes.size(), 1U);
+    const LabelMesh& block = meshes.at(0);
+    EXPECT_TRUE(block.complete());
+    EXPECT_EQ(block.cavities_meshed, 7U);
+    EXPECT_NEAR(block.mesh_volume, block.voxel_volume, 0.02 * block.voxel_volume);
+    EXPECT_TRUE(self_intersections(block.mesh).empty());
+}
+
+TEST(InterfaceMeshing, specks_within_a_label_keep_their_volume)
+{
+    std::vector<std::uint8_t> samples;
+    for (int k = 0; k < 14; ++k)
+        for (int j = 0; j < 14; ++j)
+            for (int i = 0; i < 14; ++i)
+                samples.push_back(std::min({i, j, k}) >= 2 && std::max({i, j, k}) < 12 ? 1 : 0);
+    const auto at = [](int i, int j, int k) { return static_cast<std::size_t>(i + 14 * (j + 14 * k)); };
+    samples[at(4, 4, 4)] = 2;
+    samples[at(8, 5, 5)] = samples[at(9, 5, 5)] = 3;
+    samples[at(5, 9, 8)] = samples[at(6, 9, 8)] = samples[at(6, 8, 8)] = 4;
+    const LabelSurvey survey(make_volume(
+        {.size = {14, 14, 14}, .spacing = kUnit, .direction = {}, .origin = {}}, std::move(samples)));
+    for (const auto& [place, label] : mesh_jointly(survey))
+    {
+        EXPECT_TRUE(label.complete());
+        EXPECT_NEAR(label.mesh_volume, label.voxel_volume, 0.02 * label.voxel_volume) << place;
+        EXPECT_TRUE(self_intersections(label.mesh).empty());
+    }
+}
+
+TEST(EnclosedBackground, becomes_labels_and_nothing_else_changes)
+{
+    for (std::uint64_t seed = 0; seed < 10; ++seed)
+    {
+        const LabelSurvey survey(random_labels({12, 10, 11}, 2, seed));
+        const LabelSurvey with = with_enclosed_background(survey, all_labels(survey));
+        ASSERT_GE(with.labels().size(), survey.labels().size());
+        for (std::size_t n = 0; n < survey.labels().size(); ++n)
+        {
+            EXPECT_EQ(with.labels()[n].voxels, survey.labels()[n].voxels);
+            ASSERT_EQ(with.labels()[n].parts.size(), survey.labels()[n].parts.size());
+            for (std::size_t p = 0; p < survey.labels()[n].parts.size(); ++p)
+                EXPECT_EQ(with.parts()[with.labels()[n].parts[p]].first_voxel,
+                          survey.parts()[survey.labels()[n].parts[p]].first_voxel);
+        }
+    }
+    const LabelSurvey block(pierced_block());
+    EXPECT_EQ(with_enclosed_background(block, all_labels(block)).labels().size(), 1U + 7U);
+}
+
+TEST(EnclosedBackground, of_labels_that_are_not_asked_for_counts_as_well)
+{
+    const LabelSurvey survey(two_shells());
+    const std::vector<std::uint32_t> shells{0};
+    const LabelSurvey with =
+        with_enclosed_background(survey, shells); // the ball in a shell is background now
+    ASSERT_EQ(with.labels().size(), 3U);
+    EXPECT_EQ(with.labels()[1].voxels, with.labels()[2].voxels);
+}
+
 TEST(LabelCavities, are_counted_as_a_flood_through_faces_does)
 {
     const std::array<std::size_t, 3> size{12, 10, 11};
@@ -207,6 +297,28 @@ TEST(LabelCavities, are_counted_as_a_flood_through_faces_does)
                 << "seed " << seed << ", label " << place;
         }
     }
+}
+
+TEST(InterfaceMeshing, the_same_labels_give_the_same_mesh_wherever_memory_lies)
+{
+    const LabelSurvey survey(random_labels({40, 40, 40}, 6, 1));
+    const LabelPartition partition(survey, all_labels(survey), kUnit);
+    const auto mesh = [&]
+    { return mesh_interfaces(survey, all_labels(survey), kUnit, partition, kCriteria); };
+    const InterfaceMesh first = mesh();
+    // Freed blocks in the heap's way: what is allocated now has other places, and another order of them.
+    std::vector<std::unique_ptr<std::vector<char>>> blocks;
+    for (std::size_t size = 1 << 10; size < 1 << 22; size += size / 3)
+        for (int i = 0; i < 4; ++i)
+            blocks.push_back(std::make_unique<std::vector<char>>(size));
+    for (std::size_t i = 0; i < blocks.size(); i += 2)
+        blocks[i].reset();
+    const InterfaceMesh second = mesh();
+    EXPECT_TRUE(first.vertices == second.vertices);
+    EXPECT_TRUE(std::equal(first.faces.begin(), first.faces.end(), second.faces.begin(), second.faces.end(),
+                           [](const InterfaceFace& a, const InterfaceFace& b) {
+                               return a.vertices == b.vertices && a.front == b.front && a.behind == b.behind;
+                           }));
 }
 
 TEST(InterfaceMeshing, random_label_maps_give_closed_meshes_and_list_what_is_not_there)

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <memory>
@@ -95,14 +94,6 @@ TriangleMesh shaken_ellipsoid()
     return mesh;
 }
 
-std::size_t count_beyond(const TriangleMesh& mesh, const FaceDistance& distance, double bound)
-{
-    return static_cast<std::size_t>(std::count_if(
-        mesh.faces.begin(), mesh.faces.end(),
-        [&](const TriangleMesh::Face& face)
-        { return distance(mesh.corner(face, 0), mesh.corner(face, 1), mesh.corner(face, 2)) > bound; }));
-}
-
 TEST(Relaxation, no_more_faces_lie_beyond_the_bound_than_did)
 {
     const auto reference = std::make_shared<const MeshDistance>(
@@ -112,13 +103,13 @@ TEST(Relaxation, no_more_faces_lie_beyond_the_bound_than_did)
             transform(fine, {{{Vec3{3, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}}, {}});
             return fine;
         }());
-    const FaceDistance distance = face_distance_to(reference);
     const TriangleMesh before = shaken_ellipsoid();
     for (const double bound : {0.05, 0.5})
     {
-        const RelaxationResult result = relax(before, {projection_onto(reference), distance, bound});
+        const BoundingSurface surface{projection_onto(reference), face_distance_to(reference), bound};
+        const RelaxationResult result = relax(before, surface);
         EXPECT_TRUE(is_closed_manifold(result.mesh));
-        EXPECT_LE(count_beyond(result.mesh, distance, bound), count_beyond(before, distance, bound));
+        EXPECT_LE(count_beyond(result.mesh, surface), count_beyond(before, surface));
         EXPECT_GE(measure_angles(result.mesh).min_deg, measure_angles(before).min_deg);
         EXPECT_TRUE(self_intersections(result.mesh).empty());
         EXPECT_EQ(result.short_faces.all(), count_faces_below_angle(result.mesh, 33.0));

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <vector>
+
+#include "certificate/mesh_distance.h"
+#include "mesh/triangle_mesh.h"
+
+namespace voroprobe
+{
+
+//! How far changes may take a mesh from what it was at first. Asked at vertices and the middles of faces.
+class ShiftBound
+{
+public:
+    //! `reach`: scan units, > 0. `original` must outlive it.
+    ShiftBound(const TriangleMesh& original, double reach)
+        : original_(original), distance_to_original_(original), reach_(reach)
+    {
+    }
+
+    //! The same for a patch of the mesh as it is now.
+    class OfPatch
+    {
+    public:
+        //! Is the patch that takes the other's place within reach of the original, and are those points of
+        //! the original within reach of it that were so of the other? Where that was farther, as far will do.
+        [[nodiscard]] bool holds(const TriangleMesh& patch) const;
+
+    private:
+        friend class ShiftBound;
+
+        const MeshDistance* distance_to_original_;
+        double reach_from_patch_;
+        double reach_from_original_;
+        std::vector<Point3> points_of_original_;
+    };
+
+    //! Cost: a pass over the original. The bound must outlive what it returns.
+    [[nodiscard]] OfPatch around(const TriangleMesh& patch) const;
+
+private:
+    const TriangleMesh& original_;
+    MeshDistance distance_to_original_;
+    double reach_;
+};
+
+} // namespace voroprobe
