@@ -1,5 +1,8 @@
 #include "mesher/circumcenter.h"
 
+#include <algorithm>
+#include <cstddef>
+
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -61,11 +64,19 @@ bool rounded_circumcenter(const std::array<Point3, 4>& corners, Real sliver_rati
 
 } // namespace
 
+// Seen from a corner far away the others look like one point, so each corner has its turn as the first: with
+// sentinels among them most tetrahedra would else be taken for slivers.
 Point3 circumcenter(const std::array<Point3, 4>& corners)
 {
     Point3 center;
-    if (rounded_circumcenter<double>(corners, kSliverRatio, center) ||
-        rounded_circumcenter<long double>(corners, kExtendedSliverRatio, center))
+    std::array<Point3, 4> from = corners;
+    for (std::size_t turn = 0; turn < from.size(); ++turn)
+    {
+        if (rounded_circumcenter<double>(from, kSliverRatio, center))
+            return center;
+        std::rotate(from.begin(), from.begin() + 1, from.end());
+    }
+    if (rounded_circumcenter<long double>(corners, kExtendedSliverRatio, center))
         return center;
     return exact_circumcenter(corners);
 }
