@@ -5,8 +5,6 @@
 #include <iterator>
 #include <utility>
 
-#include "mesher/relabelling.h"
-
 namespace voroprobe
 {
 
@@ -101,8 +99,21 @@ void RegionSettlement::finish()
         put_right(2.0 * options_.max_facet_radius);
     if (lacks_any())
         add(repair_slivers(restricted_, kLongestSideInFloors * options_.floor_radius, lacking_));
+    improve_angles();
+}
+
+void RegionSettlement::improve_angles()
+{
     if (restricted_.oracle().surface_count() > 0)
-        cells_relabelled_ += relabel_sharp_cells(restricted_, options_);
+        side_changes_ = relabel_sharp_cells(restricted_, options_);
+}
+
+//! The last change first: a cell may have changed twice.
+void RegionSettlement::undo_side_changes()
+{
+    for (auto change = side_changes_.rbegin(); change != side_changes_.rend(); ++change)
+        change->cell->info().region = change->former;
+    side_changes_.clear();
 }
 
 void RegionSettlement::unsettle()
@@ -166,8 +177,10 @@ bool RegionSettlement::undo_handles_at(std::span<const VertexHandle> vertices)
                                                   { return delaunay_cell->has_vertex(vertex); });
                            });
     };
+    if (std::none_of(handle_changes_.begin(), handle_changes_.end(), is_at))
+        return false;
     // Later changes may have been made to the cells of earlier ones: the last is undone first.
-    bool any = false;
+    undo_side_changes();
     for (std::size_t c = handle_changes_.size(); c-- > 0;)
     {
         if (!is_at(handle_changes_[c]))
@@ -176,9 +189,9 @@ bool RegionSettlement::undo_handles_at(std::span<const VertexHandle> vertices)
         for (const auto& [surface, sum] : handle_changes_[c].gained)
             lacking_[static_cast<std::size_t>(surface)] += sum;
         handle_changes_.erase(handle_changes_.begin() + static_cast<std::ptrdiff_t>(c));
-        any = true;
     }
-    return any;
+    improve_angles();
+    return true;
 }
 
 void RegionSettlement::count(MeshingStatistics& statistics) const
@@ -186,7 +199,7 @@ void RegionSettlement::count(MeshingStatistics& statistics) const
     statistics.cells_reconciled = report_.cells_reconciled;
     statistics.crumbs_dissolved = report_.crumbs_dissolved;
     statistics.necks_bridged = report_.necks_bridged;
-    statistics.cells_relabelled = cells_relabelled_;
+    statistics.cells_relabelled = cells_relabelled_ + side_changes_.size();
     statistics.handles_mended = handle_changes_.size();
 }
 

@@ -8,6 +8,7 @@
 
 #include "mesher/handle_repair.h"
 #include "mesher/region_repair.h"
+#include "mesher/relabelling.h"
 #include "mesher/restricted_delaunay.h"
 #include "mesher/seeded_mesher.h"
 
@@ -67,6 +68,8 @@ private:
     void put_right(double longest_side);
     void add_where_few(const std::vector<Neck>& others, std::vector<Neck>& necks) const;
     void add(std::vector<HandleChange> changes);
+    void improve_angles();
+    void undo_side_changes();
     [[nodiscard]] bool lacks_any() const;
 
     RestrictedDelaunay& restricted_;
@@ -75,6 +78,7 @@ private:
     std::optional<std::vector<Neck>> necks_;
     std::vector<long> lacking_; //!< see lacking_euler(); empty where it was not asked for
     std::vector<HandleChange> handle_changes_;
+    std::vector<SideChange> side_changes_; //!< after all changes for handles
     std::vector<CoarseNeck> coarse_necks_;
     std::vector<Neck> other_missed_necks_;
     RegionRepairReport report_;

@@ -99,9 +99,9 @@ public:
         return changed;
     }
 
-    std::size_t run_for_angles()
+    std::vector<SideChange> run_for_angles()
     {
-        std::size_t changed = 0;
+        std::vector<SideChange> changes;
         std::vector<DelaunayCell> candidates;
         for (const DelaunayCell delaunay_cell : restricted_.triangulation().finite_cell_handles())
             collect_beside_sharp_facets(delaunay_cell, candidates);
@@ -112,13 +112,13 @@ public:
             {
                 if (!may_change(delaunay_cell) || !angles_gain_from_change(delaunay_cell))
                     continue;
+                changes.push_back({delaunay_cell, delaunay_cell->info().region});
                 change(delaunay_cell);
-                ++changed;
                 collect_beside_sharp_facets(delaunay_cell, next);
             }
             candidates = std::move(next);
         }
-        return changed;
+        return changes;
     }
 
 private:
@@ -351,7 +351,7 @@ std::size_t relabel_pinched_cells(RestrictedDelaunay& restricted, const MeshingO
     return Relabelling(restricted, options).run();
 }
 
-std::size_t relabel_sharp_cells(RestrictedDelaunay& restricted, const MeshingOptions& options)
+std::vector<SideChange> relabel_sharp_cells(RestrictedDelaunay& restricted, const MeshingOptions& options)
 {
     return Relabelling(restricted, options).run_for_angles();
 }

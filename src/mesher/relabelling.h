@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "mesher/meshing_options.h"
 #include "mesher/restricted_delaunay.h"
@@ -18,11 +19,18 @@ namespace voroprobe
 //! piece (or a hole) by itself never changes. Returns the number of cells changed. Cost: O(pinched vertices).
 std::size_t relabel_pinched_cells(RestrictedDelaunay& restricted, const MeshingOptions& options);
 
+//! A Delaunay cell on the other side of the surface than before.
+struct SideChange
+{
+    DelaunayCell cell;
+    Region former;
+};
+
 //! Moves single Delaunay cells thinner than the floor, next to facets below the angle bound, to the other
 //! side of the surface, where that leaves fewer such facets and nothing is pinched before or after: two
 //! facets give place to the two others of the cell, or three to one. That changes neither the pieces of the
 //! surface nor its handles. Where regions were repaired cells have become boundary that refinement never
-//! looked at. Returns the number of cells changed. Cost: O(Delaunay cells).
-std::size_t relabel_sharp_cells(RestrictedDelaunay& restricted, const MeshingOptions& options);
+//! looked at. Returns the changes in their order: a cell may change twice. Cost: O(Delaunay cells).
+std::vector<SideChange> relabel_sharp_cells(RestrictedDelaunay& restricted, const MeshingOptions& options);
 
 } // namespace voroprobe
