@@ -17,11 +17,24 @@ struct Entry
     std::function<std::unique_ptr<Contestant>(const MeshingTask&)> make;
 };
 
+//! The same contestant on two threads.
+inline std::function<std::unique_ptr<Contestant>(const MeshingTask&)>
+on_two_threads(std::unique_ptr<Contestant> (*make)(const MeshingTask&))
+{
+    return [make](MeshingTask task)
+    {
+        task.threads = 2;
+        return make(task);
+    };
+}
+
 //! Those that refine, ours first.
 inline std::vector<Entry> all_contestants()
 {
     return {{"voroprobe", make_voroprobe},
+            {"voroprobe_2", on_two_threads(make_voroprobe)},
             {"refinement", make_voroprobe_refinement},
+            {"refinement_2", on_two_threads(make_voroprobe_refinement)},
             {"surface_mesher",
              [](const MeshingTask& task) { return make_surface_mesher(task, FirstPoints::kSeeded); }},
             {"mesh_3", [](const MeshingTask& task) { return make_mesh_3(task, Mesh3Seeding::kDefault); }},

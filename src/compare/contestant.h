@@ -32,6 +32,7 @@ struct MeshingTask
         1e-3; //!< CGAL's own: error of its intersections, as a share of the domain's radius
     std::size_t target_vertices = 0; //!< of contestants that are told how many
     double target_edge_length = 0.0; //!< of contestants that are told how long
+    std::size_t threads = 1;         //!< of contestants that can use more than one
 };
 
 //! A mesher that took its input in and waits to be timed. Only mesh() is on the clock: copying the samples
@@ -49,7 +50,7 @@ public:
     [[nodiscard]] virtual TriangleMesh result() const = 0;
 };
 
-//! Voroprobe, one thread, the inventory included.
+//! Voroprobe, the inventory included.
 std::unique_ptr<Contestant> make_voroprobe(const MeshingTask& task);
 
 //! Our refinement alone, as the others refine: no inventory, so that no surface is looked for, held apart

@@ -8,7 +8,7 @@ namespace voroprobe
 namespace
 {
 
-//! What `voroprobe mesh` does to a volume on one thread: the inventory is part of the time. Or its refinement
+//! What `voroprobe mesh` does to a volume: the inventory is part of the time. Or its refinement
 //! alone.
 class Voroprobe final : public Contestant
 {
@@ -22,7 +22,7 @@ public:
             clock.begin("inventory");
         const LevelledVolume levelled = level_volume(task_.volume, task_.isovalue, task_.inside);
         if (whole_)
-            inventory = std::make_shared<const Inventory>(*make_height_field(levelled), 1);
+            inventory = std::make_shared<const Inventory>(*make_height_field(levelled), task_.threads);
         const auto oracle = make_trilinear_oracle(levelled, inventory);
         clock.begin("refinement");
         mesh_ = mesh_surface(*oracle, {.max_facet_radius = task_.max_facet_radius,
@@ -30,7 +30,8 @@ public:
                                        .min_facet_angle_deg = task_.min_facet_angle_deg,
                                        .floor_radius = task_.floor_radius,
                                        .reach_lower_bound = task_.reach,
-                                       .seeding = whole_ ? Seeding::kInventory : Seeding::kIsolated})
+                                       .seeding = whole_ ? Seeding::kInventory : Seeding::kIsolated,
+                                       .threads = task_.threads})
                     .mesh;
     }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "mesher/criteria.h"
@@ -16,26 +17,47 @@ namespace voroprobe
 class BadFacetQueue
 {
 public:
+    //! A facet as it was when pushed.
+    struct Entry
+    {
+        FacetId id;
+        std::uint32_t generation;
+    };
+
     void push(FacetId id, std::uint32_t generation, Badness badness)
     {
         stacks_[static_cast<std::size_t>(badness)].push_back({id, generation});
     }
 
-    //! The next facet that is still as it was when pushed; counts the stale ones met.
-    std::optional<FacetId> pop(const RestrictedDelaunay& restricted, std::size_t& stale_count)
+    //! The next facet that is still as it was when pushed, and how bad it is; counts the stale ones met.
+    std::optional<std::pair<Entry, Badness>> pop(const RestrictedDelaunay& restricted,
+                                                 std::size_t& stale_count)
     {
-        for (auto& stack : stacks_)
+        for (std::size_t badness = 0; badness < kBadnessCount; ++badness)
         {
+            auto& stack = stacks_[badness];
             while (!stack.empty())
             {
                 const Entry entry = stack.back();
                 stack.pop_back();
                 if (restricted.facet(entry.id).generation == entry.generation)
-                    return entry.id;
+                    return std::pair(entry, static_cast<Badness>(badness));
                 ++stale_count;
             }
         }
         return std::nullopt;
+    }
+
+    //! Calls `look_at(entry, badness)` for all entries, stale ones included, the oldest of each badness
+    //! first.
+    template <typename LookAt>
+    void visit(const LookAt& look_at) const
+    {
+        for (std::size_t badness = 0; badness < kBadnessCount; ++badness)
+        {
+            for (const Entry& entry : stacks_[badness])
+                look_at(entry, static_cast<Badness>(badness));
+        }
     }
 
     //! Entries, stale ones included.
@@ -48,11 +70,6 @@ public:
     }
 
 private:
-    struct Entry
-    {
-        FacetId id;
-        std::uint32_t generation;
-    };
     std::array<std::vector<Entry>, kBadnessCount> stacks_;
 };
 

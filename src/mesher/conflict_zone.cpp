@@ -38,6 +38,18 @@ bool is_in_conflict(const Triangulation& triangulation, DelaunayCell delaunay_ce
     return triangulation.side_of_sphere(delaunay_cell, cgal_point(p), true) == CGAL::ON_BOUNDED_SIDE;
 }
 
+//! Whether no vertex but sentinels is outside the subdomain.
+bool lies_in(const Subdomain& subdomain, DelaunayCell delaunay_cell)
+{
+    for (int i = 0; i < 4; ++i)
+    {
+        const VertexHandle vertex = delaunay_cell->vertex(i);
+        if (!subdomain.holds(position(vertex)) && vertex->info().origin != VertexOrigin::kSentinel)
+            return false;
+    }
+    return true;
+}
+
 } // namespace
 
 void ConflictZone::forget()
@@ -98,13 +110,21 @@ void ConflictZone::add_cell(DelaunayCell delaunay_cell, Seen& entry)
     beyond_.push_back({});
 }
 
-void ConflictZone::find(const Triangulation& triangulation, const Point3& p, DelaunayCell start)
+bool ConflictZone::find(const Triangulation& triangulation, const Point3& p, DelaunayCell start,
+                        const Subdomain* subdomain)
 {
     forget();
+    if (subdomain != nullptr && !lies_in(*subdomain, start))
+        return false;
     add_cell(start, look_up(start));
     for (std::size_t place = 0; place < cells_.size(); ++place)
+    {
         for (int i = 0; i < 4; ++i)
-            look_beyond(place, i, triangulation, p);
+        {
+            if (!look_beyond(place, i, triangulation, p, subdomain))
+                return false;
+        }
+    }
     for (std::uint32_t f = 0; f < facets_.size(); ++f)
     {
         for (std::uint8_t i = 0; i < 4; ++i)
@@ -113,23 +133,28 @@ void ConflictZone::find(const Triangulation& triangulation, const Point3& p, Del
                 connect(f, i);
         }
     }
+    return true;
 }
 
-void ConflictZone::look_beyond(std::size_t place, int i, const Triangulation& triangulation, const Point3& p)
+bool ConflictZone::look_beyond(std::size_t place, int i, const Triangulation& triangulation, const Point3& p,
+                               const Subdomain* subdomain)
 {
     const DelaunayCell next = cells_[place]->neighbor(i);
     Seen& entry = look_up(next);
     if (entry.place == kUnseen)
     {
-        if (is_in_conflict(triangulation, next, p))
-            add_cell(next, entry);
-        else
+        if (!is_in_conflict(triangulation, next, p))
             entry.place = kStays;
+        else if (subdomain != nullptr && !lies_in(*subdomain, next))
+            return false;
+        else
+            add_cell(next, entry);
     }
     if (entry.place == kStays)
         add_facet(place, i, next);
     else
         beyond_[place][static_cast<std::size_t>(i)] = entry.place;
+    return true;
 }
 
 void ConflictZone::add_facet(std::size_t place, int i, DelaunayCell outer)
@@ -138,7 +163,7 @@ void ConflictZone::add_facet(std::size_t place, int i, DelaunayCell outer)
     facet.inner = cells_[place];
     facet.outer = outer;
     facet.inner_index = static_cast<std::uint8_t>(i);
-    facet.outer_index = static_cast<std::uint8_t>(outer->index(facet.inner));
+    facet.outer_index = static_cast<std::uint8_t>(mirror_index(facet.inner, i, outer));
     for (int corner = 0; corner < 4; ++corner)
     {
         facet.corners[static_cast<std::size_t>(corner)] = facet.inner->vertex(corner);

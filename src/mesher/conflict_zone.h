@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesher/delaunay.h"
+#include "mesher/subdomain.h"
 
 namespace voroprobe
 {
@@ -39,7 +40,15 @@ class ConflictZone
 public:
     //! `start`: a cell in conflict with p. \pre p lies in the convex hull and is no vertex. Cost: linear in
     //! the zone.
-    void find(const Triangulation& triangulation, const Point3& p, DelaunayCell start);
+    void find(const Triangulation& triangulation, const Point3& p, DelaunayCell start)
+    {
+        find(triangulation, p, start, nullptr);
+    }
+
+    //! False where a vertex of the zone, sentinels left out, lies outside the subdomain. Of cells with such a
+    //! vertex only what never changes while they exist is read. `subdomain` may be null: all of space.
+    bool find(const Triangulation& triangulation, const Point3& p, DelaunayCell start,
+              const Subdomain* subdomain);
 
     [[nodiscard]] const std::vector<DelaunayCell>& cells() const { return cells_; }
 
@@ -65,7 +74,8 @@ private:
     void grow_table();
     Seen& look_up(DelaunayCell delaunay_cell);
     void add_cell(DelaunayCell delaunay_cell, Seen& entry);
-    void look_beyond(std::size_t place, int i, const Triangulation& triangulation, const Point3& p);
+    bool look_beyond(std::size_t place, int i, const Triangulation& triangulation, const Point3& p,
+                     const Subdomain* subdomain);
     void add_facet(std::size_t place, int i, DelaunayCell outer);
     void connect(std::uint32_t star_cell, std::uint8_t index);
 

@@ -41,6 +41,16 @@ std::optional<Badness> FacetCriteria::badness(const RestrictedFacet& facet,
     return std::nullopt;
 }
 
+std::optional<Badness> FacetCriteria::badness(const RestrictedDelaunay& restricted, FacetId id) const
+{
+    const RestrictedFacet& facet = restricted.facet(id);
+    if (const auto by_itself = badness(facet, restricted.corners(facet)))
+        return by_itself;
+    if (facet.odd() && !at_floor(facet) && !restricted.is_faithful(facet))
+        return Badness::kUnfaithful;
+    return std::nullopt;
+}
+
 std::optional<Badness> FacetCriteria::shape_badness(const RestrictedFacet& facet,
                                                     const std::array<Point3, 3>& corners) const
 {

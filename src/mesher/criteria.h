@@ -36,6 +36,9 @@ public:
     [[nodiscard]] std::optional<Badness> badness(const RestrictedFacet& facet,
                                                  const std::array<Point3, 3>& corners) const;
 
+    //! The first criterion that a facet breaks by itself or by lying on another surface than its vertices.
+    [[nodiscard]] std::optional<Badness> badness(const RestrictedDelaunay& restricted, FacetId id) const;
+
     //! Whether the facet is so small that topology is no longer pursued.
     [[nodiscard]] bool at_floor(const RestrictedFacet& facet) const
     {

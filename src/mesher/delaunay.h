@@ -101,6 +101,19 @@ inline bool separates_sides(DelaunayCell delaunay_cell, int i)
     return inside(delaunay_cell) != inside(delaunay_cell->neighbor(i));
 }
 
+//! The index in `next` of the vertex opposite the facet that it shares with a cell, the one opposite vertex i
+//! of the cell. Reads vertices only, which cells keep; other threads may be giving `next` other neighbours.
+inline int mirror_index(DelaunayCell delaunay_cell, int i, DelaunayCell next)
+{
+    const VertexHandle a = delaunay_cell->vertex((i + 1) & 3);
+    const VertexHandle b = delaunay_cell->vertex((i + 2) & 3);
+    const VertexHandle c = delaunay_cell->vertex((i + 3) & 3);
+    int index = 0;
+    while (next->vertex(index) == a || next->vertex(index) == b || next->vertex(index) == c)
+        ++index;
+    return index;
+}
+
 inline Kernel::Point_3 cgal_point(const Point3& p)
 {
     return {p.x, p.y, p.z};

@@ -7,9 +7,12 @@
 namespace voroprobe
 {
 
-void Insertion::prepare(const Triangulation& triangulation, std::span<const RestrictedFacet> facets,
-                        const SurfaceOracle& oracle, const Point3& p, DelaunayCell start)
+bool Insertion::prepare(const Triangulation& triangulation, std::span<const RestrictedFacet> facets,
+                        const SurfaceOracle& oracle, const Point3& p, DelaunayCell start,
+                        const Subdomain* subdomain)
 {
+    if (!zone_.find(triangulation, p, start, subdomain))
+        return false;
     oracle_ = &oracle;
     point_ = p;
     surface_ = oracle.surface_at(p);
@@ -17,7 +20,6 @@ void Insertion::prepare(const Triangulation& triangulation, std::span<const Rest
     queries_ = 0;
     star_.clear();
     new_facets_.clear();
-    zone_.find(triangulation, p, start);
     for (const ZoneFacet& zone_facet : zone_.facets())
         make_star_cell(zone_facet);
     for (std::uint32_t f = 0; f < star_.size(); ++f)
@@ -28,6 +30,7 @@ void Insertion::prepare(const Triangulation& triangulation, std::span<const Rest
     std::sort(new_facets_.begin(), new_facets_.end(),
               [](const NewFacet& a, const NewFacet& b)
               { return a.facet.squared_radius < b.facet.squared_radius; });
+    return true;
 }
 
 void Insertion::make_star_cell(const ZoneFacet& zone_facet)

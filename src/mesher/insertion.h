@@ -38,9 +38,11 @@ public:
     };
 
     //! Finds out about inserting p. `facets`: of the triangulation, by id. `start`: a cell in conflict with
-    //! p. \pre p is no vertex.
-    void prepare(const Triangulation& triangulation, std::span<const RestrictedFacet> facets,
-                 const SurfaceOracle& oracle, const Point3& p, DelaunayCell start);
+    //! p. `subdomain`: null for all of space; else false, with nothing found out, where the conflict zone is
+    //! not within it. \pre p is no vertex.
+    bool prepare(const Triangulation& triangulation, std::span<const RestrictedFacet> facets,
+                 const SurfaceOracle& oracle, const Point3& p, DelaunayCell start,
+                 const Subdomain* subdomain = nullptr);
 
     [[nodiscard]] const Point3& point() const { return point_; }
     [[nodiscard]] SurfaceId surface() const { return surface_; } //!< that the point lies on

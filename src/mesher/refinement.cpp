@@ -16,7 +16,7 @@ constexpr std::size_t kInsertionsBetweenReports = 1024;
 Refinement::Refinement(RestrictedDelaunay& restricted, const MeshingOptions& options, const Workers& workers,
                        MeshingStatistics& statistics, ProgressSink* progress)
     : restricted_(restricted), workers_(workers), statistics_(statistics), progress_(progress),
-      criteria_(options),
+      criteria_(options), side_by_side_(restricted, criteria_, workers, statistics),
       max_vertices_(options.max_vertices.value_or(std::numeric_limits<std::size_t>::max()))
 {
 }
@@ -36,11 +36,8 @@ void Refinement::judge_changed_facets()
 
 void Refinement::judge(FacetId id)
 {
-    const RestrictedFacet& facet = restricted_.facet(id);
-    if (const auto badness = criteria_.badness(facet, restricted_.corners(facet)))
-        bad_facets_.push(id, facet.generation, *badness);
-    else if (facet.odd() && !criteria_.at_floor(facet) && !restricted_.is_faithful(facet))
-        bad_facets_.push(id, facet.generation, Badness::kUnfaithful);
+    if (const auto badness = criteria_.badness(restricted_, id))
+        bad_facets_.push(id, restricted_.facet(id).generation, *badness);
 }
 
 bool Refinement::lower_floor(std::span<const Point3> places, int round)
@@ -70,16 +67,20 @@ void Refinement::refine()
 {
     while (may_go_on())
     {
-        if (const auto bad_facet = bad_facets_.pop(restricted_, statistics_.stale_queue_entries))
+        if (side_by_side_.pays(bad_facets_) &&
+            restricted_.vertex_count() + side_by_side_.most_insertions(bad_facets_) <= max_vertices_)
+            side_by_side_.refine(bad_facets_);
+        else if (const auto bad_facet = bad_facets_.pop(restricted_, statistics_.stale_queue_entries))
         {
             if (restricted_.vertex_count() >= max_vertices_)
                 status_ = MeshingStatus::kBudgetExhausted; // there was more to do
             else
-                refine_facet(*bad_facet);
+                refine_facet(bad_facet->first.id);
         }
         else if (!find_unresolved_facets() && !find_pinched_vertices())
-            return;
+            break;
     }
+    side_by_side_.finish();
 }
 
 // Inserts the center of the facet's surface Delaunay ball. Where rounding hides the conflict the facet is

@@ -9,6 +9,7 @@
 #include "mesher/criteria.h"
 #include "mesher/restricted_delaunay.h"
 #include "mesher/seeded_mesher.h"
+#include "mesher/side_by_side_refinement.h"
 #include "support/progress.h"
 
 namespace voroprobe
@@ -54,6 +55,7 @@ private:
     MeshingStatistics& statistics_;
     ProgressSink* progress_;
     FacetCriteria criteria_;
+    SideBySideRefinement side_by_side_;
     std::size_t max_vertices_;
     std::size_t next_report_ = 0; //!< insertions
     BadFacetQueue bad_facets_;

@@ -28,6 +28,18 @@ constexpr std::size_t kPrefetchDistance = 4;
 constexpr std::size_t kQueriesAtOnce = 256;
 constexpr std::size_t kCellsQueriedAtOnce = 1U << 14U;
 
+// An insertion adds seven Delaunay cells and two or three restricted facets on average, many more at times.
+constexpr std::size_t kCellsInStockPerInsertion = 12;
+constexpr std::size_t kFacetsInStockPerInsertion = 6;
+
+// Moves the elements of one list to the end of another.
+template <typename T>
+void append(std::vector<T>& from, std::vector<T>& to)
+{
+    to.insert(to.end(), from.begin(), from.end());
+    from.clear();
+}
+
 } // namespace
 
 RestrictedDelaunay::RestrictedDelaunay(const SurfaceOracle& oracle, MeshingStatistics& statistics)
@@ -46,7 +58,7 @@ void RestrictedDelaunay::insert_sentinels()
     for (const Vec3& direction : {Vec3{1, 1, 1}, Vec3{1, -1, -1}, Vec3{-1, 1, -1}, Vec3{-1, -1, 1}})
     {
         const VertexHandle vertex = triangulation_.insert(cgal_point(center + far * direction));
-        vertex->info().index = static_cast<std::uint32_t>(triangulation_.number_of_vertices() - 1);
+        vertex->info().index = vertex_index_bound_++;
         vertex->info().origin = VertexOrigin::kSentinel;
         vertex->info().cell_probed = true;
     }
@@ -78,7 +90,7 @@ DelaunayCell RestrictedDelaunay::locate(const Point3& p, VertexHandle hint) cons
 
 VertexHandle RestrictedDelaunay::insert(const Point3& p, VertexOrigin origin, VertexHandle hint)
 {
-    changed_facets_.clear();
+    workspace_.changed_facets.clear();
     const DelaunayCell start = locate(p, hint);
     if (start == DelaunayCell())
         return {};
@@ -88,24 +100,34 @@ VertexHandle RestrictedDelaunay::insert(const Point3& p, VertexOrigin origin, Ve
 
 VertexHandle RestrictedDelaunay::insert(const Insertion& insertion, VertexOrigin origin)
 {
-    changed_facets_.clear();
-    ++statistics_.insertions;
-    statistics_.queries_refinement += insertion.queries();
-    statistics_.region_lookups += insertion.star().size();
-    forget_zone(insertion);
+    const VertexHandle vertex = insert(insertion, origin, workspace_);
+    count(workspace_);
+    forget_dead_postponed_cells();
+    return vertex;
+}
+
+VertexHandle RestrictedDelaunay::insert(const Insertion& insertion, VertexOrigin origin,
+                                        InsertionWorkspace& workspace)
+{
+    workspace.changed_facets.clear();
+    ++workspace.insertions;
+    workspace.queries += insertion.queries();
+    workspace.region_lookups += insertion.star().size();
+    forget_zone(insertion, workspace);
     check_persistence(insertion);
-    const VertexHandle vertex = make_vertex(insertion, origin);
-    make_star(insertion, vertex);
-    connect_star(insertion);
+    const VertexHandle vertex = make_vertex(insertion, origin, workspace);
+    delete_zone(insertion, workspace);
+    make_star(insertion, vertex, workspace);
+    connect_star(insertion, workspace);
     for (const Insertion::NewFacet& found : insertion.new_facets())
-        add_facet(star_[found.star_cell], found.facet);
-    postpone_unqueried_facets();
-    mark_unchecked(vertex);
+        add_facet(workspace.star[found.star_cell], found.facet, workspace);
+    postpone_unqueried_facets(workspace);
+    mark_unchecked(vertex, workspace);
     return vertex;
 }
 
 // Facets inside the zone vanish. Those on its boundary stay with the cell beyond, if their answers do.
-void RestrictedDelaunay::forget_zone(const Insertion& insertion)
+void RestrictedDelaunay::forget_zone(const Insertion& insertion, InsertionWorkspace& workspace)
 {
     const std::vector<ZoneFacet>& zone_facets = insertion.zone().facets();
     for (std::size_t f = 0; f < zone_facets.size(); ++f)
@@ -119,7 +141,7 @@ void RestrictedDelaunay::forget_zone(const Insertion& insertion)
             facets_[known].index = zone_facet.outer_index;
         }
         else if (known < kUnqueriedFacet)
-            release_facet(known);
+            release_facet(known, workspace);
         known = kept;
         zone_facet.inner->info().facet[zone_facet.inner_index] = kNoFacet;
     }
@@ -128,7 +150,7 @@ void RestrictedDelaunay::forget_zone(const Insertion& insertion)
         for (const FacetId id : delaunay_cell->info().facet)
         {
             if (id < kUnqueriedFacet && facets_[id].crossing_count != 0) // met from its other cell already?
-                release_facet(id);
+                release_facet(id, workspace);
         }
     }
 }
@@ -158,92 +180,137 @@ void RestrictedDelaunay::check_persistence([[maybe_unused]] const Insertion& ins
 #endif
 }
 
-VertexHandle RestrictedDelaunay::make_vertex(const Insertion& insertion, VertexOrigin origin)
+VertexHandle RestrictedDelaunay::make_vertex(const Insertion& insertion, VertexOrigin origin,
+                                             InsertionWorkspace& workspace)
 {
-    const VertexHandle vertex = triangulation_.tds().create_vertex();
+    VertexHandle vertex;
+    std::uint32_t index = 0;
+    if (workspace.has_stock)
+    {
+        InsertionWorkspace::Stock& stock = workspace.stock;
+        vertex = stock.vertices.back();
+        stock.vertices.pop_back();
+        index = stock.first_index + static_cast<std::uint32_t>(stock.new_vertices.size());
+        stock.new_vertices.push_back(vertex);
+    }
+    else
+    {
+        vertex = triangulation_.tds().create_vertex();
+        index = vertex_index_bound_++;
+    }
     vertex->set_point(cgal_point(insertion.point()));
     VertexData& data = vertex->info();
-    data.index = static_cast<std::uint32_t>(triangulation_.number_of_vertices() - 1);
+    data.index = index;
     data.origin = origin;
     data.surface = insertion.surface();
     // The Voronoi cell of a new vertex is cut out of those of its neighbours: where all of them were probed,
     // so is it. Sentinels' cells lie beyond the domain as soon as there is another vertex.
-    data.cell_probed = vertex_count() > 1 && insertion.all_around_probed();
+    data.cell_probed = index > kSentinelCount && insertion.all_around_probed();
     if (!data.cell_probed)
-        unprobed_vertices_.push_back(vertex);
+        workspace.unprobed_vertices.push_back(vertex);
     return vertex;
 }
 
 // New cells take the places of the old ones in memory, which are warm.
-void RestrictedDelaunay::make_star(const Insertion& insertion, VertexHandle vertex)
+void RestrictedDelaunay::delete_zone(const Insertion& insertion, InsertionWorkspace& workspace)
 {
-    auto& tds = triangulation_.tds();
     for (const DelaunayCell delaunay_cell : insertion.zone().cells())
-        tds.delete_cell(delaunay_cell);
-    star_.clear();
+    {
+        if (!workspace.has_stock)
+            triangulation_.tds().delete_cell(delaunay_cell);
+        else
+        {
+            delaunay_cell->info().facet.fill(kNoFacet); // nothing to ask about
+            workspace.stock.cells.push_back(delaunay_cell);
+        }
+    }
+}
+
+DelaunayCell RestrictedDelaunay::make_cell(const std::array<VertexHandle, 4>& corners,
+                                           InsertionWorkspace& workspace)
+{
+    if (!workspace.has_stock)
+        return triangulation_.tds().create_cell(corners[0], corners[1], corners[2], corners[3]);
+    const DelaunayCell made = workspace.stock.cells.back();
+    workspace.stock.cells.pop_back();
+    made->set_vertices(corners[0], corners[1], corners[2], corners[3]);
+    return made;
+}
+
+void RestrictedDelaunay::make_star(const Insertion& insertion, VertexHandle vertex,
+                                   InsertionWorkspace& workspace)
+{
+    workspace.star.clear();
     for (std::size_t f = 0; f < insertion.star().size(); ++f)
     {
         const ZoneFacet& zone_facet = insertion.zone().facets()[f];
         std::array<VertexHandle, 4> corners = zone_facet.corners;
         corners[zone_facet.inner_index] = vertex;
-        const DelaunayCell made = tds.create_cell(corners[0], corners[1], corners[2], corners[3]);
+        const DelaunayCell made = make_cell(corners, workspace);
         for (const VertexHandle corner : corners)
-            corner->set_cell(made);
+        {
+            if (workspace.has_stock && corner->info().origin == VertexOrigin::kSentinel)
+                workspace.stock.cell_of_sentinel[corner->info().index] = made;
+            else
+                corner->set_cell(made);
+        }
         const Insertion::StarCell& star_cell = insertion.star()[f];
         DelaunayCellData& data = made->info();
         data.circumcenter = star_cell.circumcenter;
         data.region = star_cell.region;
         data.facet = star_cell.facet;
-        star_.push_back(made);
+        workspace.star.push_back(made);
     }
 }
 
-void RestrictedDelaunay::connect_star(const Insertion& insertion)
+void RestrictedDelaunay::connect_star(const Insertion& insertion, const InsertionWorkspace& workspace)
 {
     auto& tds = triangulation_.tds();
-    for (std::uint32_t f = 0; f < star_.size(); ++f)
+    const std::vector<DelaunayCell>& star = workspace.star;
+    for (std::uint32_t f = 0; f < star.size(); ++f)
     {
         const ZoneFacet& zone_facet = insertion.zone().facets()[f];
-        tds.set_adjacency(star_[f], zone_facet.inner_index, zone_facet.outer, zone_facet.outer_index);
+        tds.set_adjacency(star[f], zone_facet.inner_index, zone_facet.outer, zone_facet.outer_index);
         for (std::uint8_t i = 0; i < 4; ++i)
         {
             const auto [g, index_of_g] = zone_facet.beyond[i];
             if (i != zone_facet.inner_index && f < g)
-                tds.set_adjacency(star_[f], i, star_[g], index_of_g);
+                tds.set_adjacency(star[f], i, star[g], index_of_g);
         }
     }
 }
 
-void RestrictedDelaunay::postpone_unqueried_facets()
+void RestrictedDelaunay::postpone_unqueried_facets(InsertionWorkspace& workspace)
 {
-    for (const DelaunayCell delaunay_cell : star_)
+    for (const DelaunayCell delaunay_cell : workspace.star)
     {
         const auto& facets = delaunay_cell->info().facet;
         if (std::find(facets.begin(), facets.end(), kUnqueriedFacet) != facets.end())
-            postponed_cells_.push_back(delaunay_cell);
+            workspace.postponed_cells.push_back(delaunay_cell);
     }
-    forget_dead_postponed_cells();
 }
 
 // Most cells noted are gone long before they would be asked about.
 void RestrictedDelaunay::forget_dead_postponed_cells()
 {
-    if (postponed_cells_.size() < postponed_limit_)
+    std::vector<DelaunayCell>& postponed = workspace_.postponed_cells;
+    if (postponed.size() < postponed_limit_)
         return;
-    std::erase_if(postponed_cells_, [&](DelaunayCell delaunay_cell)
+    std::erase_if(postponed, [&](DelaunayCell delaunay_cell)
                   { return !triangulation_.tds().cells().is_used(delaunay_cell); });
-    postponed_limit_ = std::max<std::size_t>(2 * postponed_cells_.size(), kLeastPostponedLimit);
+    postponed_limit_ = std::max<std::size_t>(2 * postponed.size(), kLeastPostponedLimit);
 }
 
 void RestrictedDelaunay::query_even_facets(const Workers& workers)
 {
-    changed_facets_.clear();
+    std::vector<DelaunayCell>& postponed = workspace_.postponed_cells;
+    workspace_.changed_facets.clear();
     std::vector<Unqueried> unqueried;
     std::vector<RestrictedFacet> found;
-    for (std::size_t begin = 0; begin < postponed_cells_.size(); begin += kCellsQueriedAtOnce)
+    for (std::size_t begin = 0; begin < postponed.size(); begin += kCellsQueriedAtOnce)
     {
-        const std::size_t end = std::min(begin + kCellsQueriedAtOnce, postponed_cells_.size());
-        take_unqueried_facets({postponed_cells_.data() + begin, end - begin}, unqueried);
+        const std::size_t end = std::min(begin + kCellsQueriedAtOnce, postponed.size());
+        take_unqueried_facets({postponed.data() + begin, end - begin}, unqueried);
         found.assign(unqueried.size(), {});
         workers.for_each(
             unqueried.size(), [&](std::size_t i) { query(unqueried[i], found[i]); }, kQueriesAtOnce);
@@ -251,10 +318,10 @@ void RestrictedDelaunay::query_even_facets(const Workers& workers)
         for (std::size_t i = 0; i < unqueried.size(); ++i)
         {
             if (found[i].crossing_count != 0)
-                add_facet(unqueried[i].delaunay_cell, found[i]);
+                add_facet(unqueried[i].delaunay_cell, found[i], workspace_);
         }
     }
-    postponed_cells_.clear();
+    postponed.clear();
 }
 
 // Until the oracle has answered, the facets count as not crossed.
@@ -303,56 +370,57 @@ void RestrictedDelaunay::query(const Unqueried& unqueried, RestrictedFacet& face
 }
 
 // Keeps what is known of a facet on both of its sides.
-void RestrictedDelaunay::add_facet(DelaunayCell delaunay_cell, RestrictedFacet facet)
+void RestrictedDelaunay::add_facet(DelaunayCell delaunay_cell, RestrictedFacet facet,
+                                   InsertionWorkspace& workspace)
 {
     const int index = facet.index;
     const DelaunayCell next = delaunay_cell->neighbor(index);
-    const FacetId id = allocate_facet();
+    const FacetId id = allocate_facet(workspace);
     delaunay_cell->info().facet[static_cast<std::size_t>(index)] = id;
-    next->info().facet[static_cast<std::size_t>(next->index(delaunay_cell))] = id;
+    next->info().facet[static_cast<std::size_t>(mirror_index(delaunay_cell, index, next))] = id;
     facet.delaunay_cell = delaunay_cell;
     for (std::size_t k = 0; k < 3; ++k)
         facet.vertices[k] = delaunay_cell->vertex((index + static_cast<int>(k) + 1) & 3)->info().index;
     facet.generation = facets_[id].generation;
     facets_[id] = facet;
-    mark_unchecked(facet);
-    changed_facets_.push_back(id);
+    mark_unchecked(facet, workspace);
+    workspace.changed_facets.push_back(id);
 }
 
-void RestrictedDelaunay::mark_unchecked(const RestrictedFacet& facet)
+void RestrictedDelaunay::mark_unchecked(const RestrictedFacet& facet, InsertionWorkspace& workspace)
 {
     if (!facet.odd())
         return;
     for (int i = 0; i < 4; ++i)
     {
         if (i != facet.index)
-            mark_unchecked(facet.delaunay_cell->vertex(i));
+            mark_unchecked(facet.delaunay_cell->vertex(i), workspace);
     }
 }
 
-void RestrictedDelaunay::mark_unchecked(VertexHandle vertex)
+void RestrictedDelaunay::mark_unchecked(VertexHandle vertex, InsertionWorkspace& workspace)
 {
     VertexData& data = vertex->info();
     if (data.umbrella_unchecked || data.origin == VertexOrigin::kSentinel)
         return;
     data.umbrella_unchecked = true;
     data.pinched = true; // until looked at again
-    unchecked_vertices_.push_back(vertex);
+    workspace.unchecked_vertices.push_back(vertex);
 }
 
 std::vector<VertexHandle> RestrictedDelaunay::take_unchecked_vertices()
 {
-    for (const VertexHandle vertex : unchecked_vertices_)
+    for (const VertexHandle vertex : workspace_.unchecked_vertices)
         vertex->info().umbrella_unchecked = false;
-    return std::exchange(unchecked_vertices_, {});
+    return std::exchange(workspace_.unchecked_vertices, {});
 }
 
 void RestrictedDelaunay::odd_facets_around(VertexHandle vertex, std::vector<FacetId>& facets)
 {
     facets.clear();
-    star_.clear();
-    triangulation_.incident_cells(vertex, std::back_inserter(star_));
-    for (const DelaunayCell delaunay_cell : star_)
+    cells_around_.clear();
+    triangulation_.incident_cells(vertex, std::back_inserter(cells_around_));
+    for (const DelaunayCell delaunay_cell : cells_around_)
     {
         for (int i = 0; i < 4; ++i)
         {
@@ -411,26 +479,119 @@ std::array<Point3, 3> RestrictedDelaunay::corners(const RestrictedFacet& facet) 
             position(facet.delaunay_cell->vertex((i + 3) & 3))};
 }
 
-FacetId RestrictedDelaunay::allocate_facet()
+FacetId RestrictedDelaunay::allocate_facet(InsertionWorkspace& workspace)
 {
-    if (free_facets_.empty())
+    if (workspace.free_facets.empty())
     {
+        CHECK(!workspace.has_stock);
         CHECK_LT(facets_.size(), static_cast<std::size_t>(kUnqueriedFacet));
         facets_.emplace_back();
         return static_cast<FacetId>(facets_.size() - 1);
     }
-    const FacetId id = free_facets_.back();
-    free_facets_.pop_back();
+    const FacetId id = workspace.free_facets.back();
+    workspace.free_facets.pop_back();
+    if (workspace.has_stock)
+        workspace.stock.new_facets.push_back(id);
     return id;
 }
 
-void RestrictedDelaunay::release_facet(FacetId id)
+void RestrictedDelaunay::release_facet(FacetId id, InsertionWorkspace& workspace)
 {
     RestrictedFacet& facet = facets_[id];
-    mark_unchecked(facet);
+    mark_unchecked(facet, workspace);
     facet.crossing_count = 0;
     ++facet.generation;
-    free_facets_.push_back(id);
+    workspace.free_facets.push_back(id);
+}
+
+void RestrictedDelaunay::begin_round(std::span<InsertionWorkspace* const> workspaces, std::size_t insertions)
+{
+    for (std::size_t w = 0; w < workspaces.size(); ++w)
+    {
+        fill_stock(*workspaces[w], insertions);
+        workspaces[w]->stock.first_index = vertex_index_bound_ + static_cast<std::uint32_t>(w * insertions);
+    }
+}
+
+void RestrictedDelaunay::fill_stock(InsertionWorkspace& workspace, std::size_t insertions)
+{
+    InsertionWorkspace::Stock& stock = workspace.stock;
+    workspace.has_stock = true;
+    while (stock.cells.size() < insertions * kCellsInStockPerInsertion)
+        stock.cells.push_back(triangulation_.tds().create_cell());
+    while (stock.vertices.size() < insertions)
+        stock.vertices.push_back(triangulation_.tds().create_vertex());
+    while (workspace.free_facets.size() < insertions * kFacetsInStockPerInsertion)
+        workspace.free_facets.push_back(allocate_facet(workspace_));
+    stock.new_vertices.clear();
+    stock.new_facets.clear();
+    stock.cell_of_sentinel.fill({});
+}
+
+bool RestrictedDelaunay::has_enough(const InsertionWorkspace& workspace, const Insertion& insertion)
+{
+    const InsertionWorkspace::Stock& stock = workspace.stock;
+    return !stock.vertices.empty() &&
+           stock.cells.size() + insertion.zone().cells().size() >= insertion.star().size() &&
+           workspace.free_facets.size() >= insertion.new_facets().size();
+}
+
+void RestrictedDelaunay::end_round(std::span<InsertionWorkspace* const> workspaces)
+{
+    for (InsertionWorkspace* const workspace : workspaces)
+    {
+        close_ranks(workspace->stock);
+        for (const DelaunayCell at_sentinel : workspace->stock.cell_of_sentinel)
+        {
+            for (int i = 0; at_sentinel != DelaunayCell() && i < 4; ++i)
+            {
+                if (at_sentinel->vertex(i)->info().origin == VertexOrigin::kSentinel)
+                    at_sentinel->vertex(i)->set_cell(at_sentinel);
+            }
+        }
+        append(workspace->unchecked_vertices, workspace_.unchecked_vertices);
+        append(workspace->unprobed_vertices, workspace_.unprobed_vertices);
+        append(workspace->postponed_cells, workspace_.postponed_cells);
+        count(*workspace);
+    }
+    forget_dead_postponed_cells();
+}
+
+// Indices of vertices follow each other: those of one subdomain are moved down to those of the one before.
+void RestrictedDelaunay::close_ranks(InsertionWorkspace::Stock& stock)
+{
+    const std::uint32_t first = stock.first_index;
+    const std::uint32_t shift = first - vertex_index_bound_;
+    vertex_index_bound_ += static_cast<std::uint32_t>(stock.new_vertices.size());
+    if (shift == 0)
+        return;
+    for (const VertexHandle vertex : stock.new_vertices)
+        vertex->info().index -= shift;
+    std::sort(stock.new_facets.begin(), stock.new_facets.end());
+    stock.new_facets.erase(std::unique(stock.new_facets.begin(), stock.new_facets.end()),
+                           stock.new_facets.end());
+    for (const FacetId id : stock.new_facets)
+    {
+        for (std::uint32_t& vertex : facets_[id].vertices)
+            vertex -= vertex >= first ? shift : 0;
+    }
+}
+
+void RestrictedDelaunay::take_back(InsertionWorkspace& workspace)
+{
+    for (const DelaunayCell delaunay_cell : workspace.stock.cells)
+        triangulation_.tds().delete_cell(delaunay_cell);
+    for (const VertexHandle vertex : workspace.stock.vertices)
+        triangulation_.tds().delete_vertex(vertex);
+    append(workspace.free_facets, workspace_.free_facets);
+    workspace = {};
+}
+
+void RestrictedDelaunay::count(InsertionWorkspace& workspace)
+{
+    statistics_.insertions += std::exchange(workspace.insertions, 0);
+    statistics_.queries_refinement += std::exchange(workspace.queries, 0);
+    statistics_.region_lookups += std::exchange(workspace.region_lookups, 0);
 }
 
 } // namespace voroprobe

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesher/insertion.h"
+#include "mesher/insertion_workspace.h"
 #include "mesher/restricted_facet.h"
 #include "mesher/seeded_mesher.h"
 #include "oracles/surface_oracle.h"
@@ -36,6 +37,28 @@ public:
     //! Carries out an insertion. \pre Nothing was inserted since it was prepared.
     VertexHandle insert(const Insertion& insertion, VertexOrigin origin);
 
+    //! For insertions side by side, each thread within a subdomain of its own: gives stocks for as many
+    //! `insertions`, as a rule, to the workspaces. Until end_round() nothing but the next two, which are for
+    //! the threads, may be called, and what is const of facets of the subdomain.
+    void begin_round(std::span<InsertionWorkspace* const> workspaces, std::size_t insertions);
+
+    //! False where the conflict zone is not within the subdomain.
+    bool prepare(const Point3& p, DelaunayCell start, const Subdomain& subdomain, Insertion& insertion) const
+    {
+        return insertion.prepare(triangulation_, facets_, oracle_, p, start, &subdomain);
+    }
+
+    //! Whether the stock is enough for an insertion.
+    [[nodiscard]] static bool has_enough(const InsertionWorkspace& workspace, const Insertion& insertion);
+
+    VertexHandle insert(const Insertion& insertion, VertexOrigin origin, InsertionWorkspace& workspace);
+
+    //! Makes what the threads have left one thing, in the order of the workspaces. The stocks stay with them.
+    void end_round(std::span<InsertionWorkspace* const> workspaces);
+
+    //! Takes the stocks back.
+    void take_back(InsertionWorkspace& workspace);
+
     //! A Delaunay cell in conflict with a point; located from `hint`, which may be null. Null where the point
     //! is a vertex already.
     [[nodiscard]] DelaunayCell locate(const Point3& p, VertexHandle hint) const;
@@ -52,16 +75,19 @@ public:
     void query_even_facets(const Workers& workers);
 
     //! The facets that the last insertion, or query_even_facets(), found.
-    [[nodiscard]] const std::vector<FacetId>& changed_facets() const { return changed_facets_; }
+    [[nodiscard]] const std::vector<FacetId>& changed_facets() const { return workspace_.changed_facets; }
 
     //! Has the vertex taken by the next take_unchecked_vertices().
-    void mark_unchecked(VertexHandle vertex);
+    void mark_unchecked(VertexHandle vertex) { mark_unchecked(vertex, workspace_); }
 
     //! Takes the vertices, sentinels left out, whose odd facets changed since they were last taken.
     std::vector<VertexHandle> take_unchecked_vertices();
 
     //! Takes the vertices inserted since the last time whose Voronoi cells are not part of probed ones.
-    std::vector<VertexHandle> take_unprobed_vertices() { return std::exchange(unprobed_vertices_, {}); }
+    std::vector<VertexHandle> take_unprobed_vertices()
+    {
+        return std::exchange(workspace_.unprobed_vertices, {});
+    }
 
     //! Facet ids run below this; slots whose crossing_count is 0 are free.
     [[nodiscard]] FacetId facet_slots() const { return static_cast<FacetId>(facets_.size()); }
@@ -87,14 +113,11 @@ public:
     [[nodiscard]] std::array<Point3, 3> corners(const RestrictedFacet& facet) const;
 
     //! VertexData::index runs below this.
-    [[nodiscard]] std::size_t vertex_index_bound() const { return triangulation_.number_of_vertices(); }
+    [[nodiscard]] std::size_t vertex_index_bound() const { return vertex_index_bound_; }
 
     [[nodiscard]] const Triangulation& triangulation() const { return triangulation_; }
     [[nodiscard]] const SurfaceOracle& oracle() const { return oracle_; }
-    [[nodiscard]] std::size_t vertex_count() const
-    {
-        return triangulation_.number_of_vertices() - kSentinelCount;
-    }
+    [[nodiscard]] std::size_t vertex_count() const { return vertex_index_bound_ - kSentinelCount; }
 
 private:
     //! A facet whose dual edge the oracle is to be asked about.
@@ -105,33 +128,36 @@ private:
     };
 
     void insert_sentinels();
-    void forget_zone(const Insertion& insertion);
+    void forget_zone(const Insertion& insertion, InsertionWorkspace& workspace);
     void check_persistence(const Insertion& insertion) const;
-    VertexHandle make_vertex(const Insertion& insertion, VertexOrigin origin);
-    void make_star(const Insertion& insertion, VertexHandle vertex);
-    void connect_star(const Insertion& insertion);
-    void postpone_unqueried_facets();
+    VertexHandle make_vertex(const Insertion& insertion, VertexOrigin origin, InsertionWorkspace& workspace);
+    void delete_zone(const Insertion& insertion, InsertionWorkspace& workspace);
+    DelaunayCell make_cell(const std::array<VertexHandle, 4>& corners, InsertionWorkspace& workspace);
+    void make_star(const Insertion& insertion, VertexHandle vertex, InsertionWorkspace& workspace);
+    void connect_star(const Insertion& insertion, const InsertionWorkspace& workspace);
+    static void postpone_unqueried_facets(InsertionWorkspace& workspace);
     void forget_dead_postponed_cells();
+    void fill_stock(InsertionWorkspace& workspace, std::size_t insertions);
+    void close_ranks(InsertionWorkspace::Stock& stock);
+    void count(InsertionWorkspace& workspace);
     void take_unqueried_facets(std::span<const DelaunayCell> delaunay_cells, std::vector<Unqueried>& facets);
     void query(const Unqueried& unqueried, RestrictedFacet& facet) const;
-    void add_facet(DelaunayCell delaunay_cell, RestrictedFacet facet);
-    void mark_unchecked(const RestrictedFacet& facet);
-    FacetId allocate_facet();
-    void release_facet(FacetId id);
+    void add_facet(DelaunayCell delaunay_cell, RestrictedFacet facet, InsertionWorkspace& workspace);
+    static void mark_unchecked(const RestrictedFacet& facet, InsertionWorkspace& workspace);
+    static void mark_unchecked(VertexHandle vertex, InsertionWorkspace& workspace);
+    FacetId allocate_facet(InsertionWorkspace& workspace);
+    void release_facet(FacetId id, InsertionWorkspace& workspace);
 
     const SurfaceOracle& oracle_;
     MeshingStatistics& statistics_;
     Triangulation triangulation_;
     std::vector<RestrictedFacet> facets_;
-    std::vector<FacetId> free_facets_;
-    std::vector<FacetId> changed_facets_;
-    std::vector<VertexHandle> unchecked_vertices_;
-    std::vector<VertexHandle> unprobed_vertices_;
-    std::size_t postponed_limit_ = 0; //!< postponed_cells_ is cleared of dead cells when it is as long
-    std::vector<DelaunayCell> postponed_cells_; //!< with facets not asked about; some are gone since
+    std::uint32_t vertex_index_bound_ = 0;
+    InsertionWorkspace workspace_;
+    std::size_t postponed_limit_ = 0; //!< postponed cells are cleared of dead ones when there are as many
 
-    Insertion insertion_;            //!< scratch
-    std::vector<DelaunayCell> star_; //!< scratch: the new cells of an insertion, those around a vertex
+    Insertion insertion_;                    //!< scratch
+    std::vector<DelaunayCell> cells_around_; //!< scratch
 };
 
 } // namespace voroprobe

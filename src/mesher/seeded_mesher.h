@@ -30,11 +30,12 @@ struct MeshingStatistics
     std::size_t cells_probed = 0;           //!< Voronoi cells that came up in the queue, as often as they did
     //! Voronoi cells that took few probes or none and were never in the queue.
     std::size_t cells_probed_at_once = 0;
-    std::size_t queries_initialization = 0; //!< by initialize_component()
-    std::size_t queries_refinement = 0;     //!< about dual edges, whoever inserted the point
-    std::size_t region_lookups = 0;         //!< oracle point queries
-    std::size_t insertions = 0;             //!< points inserted into the triangulation
-    std::size_t stale_queue_entries = 0;    //!< bad facets popped after they had vanished
+    std::size_t queries_initialization = 0;  //!< by initialize_component()
+    std::size_t queries_refinement = 0;      //!< about dual edges, whoever inserted the point
+    std::size_t region_lookups = 0;          //!< oracle point queries
+    std::size_t insertions = 0;              //!< points inserted into the triangulation
+    std::size_t insertions_side_by_side = 0; //!< of these in subdomains, by threads where there are several
+    std::size_t stale_queue_entries = 0;     //!< bad facets popped after they had vanished
 
     std::size_t components_by_initialization = 0;  //!< pieces first met by probe(domain)
     std::size_t components_by_isolated_vertex = 0; //!< pieces begun at an isolated vertex

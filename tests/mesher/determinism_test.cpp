@@ -63,6 +63,20 @@ TEST(Determinism, any_number_of_threads_gives_the_same_bytes)
     }
 }
 
+TEST(Determinism, subdomains_refined_side_by_side_give_the_same_bytes)
+{
+    const SphereUnionOracle spheres = row_of_spheres();
+    MeshingOptions options = kOptions;
+    options.max_facet_radius = 0.08;
+    options.floor_radius = 0.02;
+    options.threads = 1;
+    const MeshingResult on_one = mesh_surface(spheres, options);
+    EXPECT_GT(on_one.statistics.insertions_side_by_side, on_one.statistics.insertions / 2);
+    EXPECT_EQ(count_components(on_one.mesh), 6U);
+    options.threads = 2;
+    EXPECT_TRUE(same_bytes(on_one.mesh, mesh_surface(spheres, options).mesh));
+}
+
 TEST(Determinism, what_was_meshed_before_plays_no_part)
 {
     const RandomVolume random = make_random_volume(VolumeKind::kSmoothNoise, 4);
