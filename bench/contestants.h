@@ -17,6 +17,9 @@ struct Entry
     std::function<std::unique_ptr<Contestant>(const MeshingTask&)> make;
 };
 
+//! CGAL 5.5 make_mesh_3 with Parallel_tag, on as many threads as the task says.
+std::unique_ptr<Contestant> make_parallel_mesh_3(const MeshingTask& task, Mesh3Seeding seeding);
+
 //! The same contestant on two threads.
 inline std::function<std::unique_ptr<Contestant>(const MeshingTask&)>
 on_two_threads(std::unique_ptr<Contestant> (*make)(const MeshingTask&))
@@ -38,7 +41,11 @@ inline std::vector<Entry> all_contestants()
             {"surface_mesher",
              [](const MeshingTask& task) { return make_surface_mesher(task, FirstPoints::kSeeded); }},
             {"mesh_3", [](const MeshingTask& task) { return make_mesh_3(task, Mesh3Seeding::kDefault); }},
-            {"mesh_3_scan", [](const MeshingTask& task) { return make_mesh_3(task, Mesh3Seeding::kScan); }}};
+            {"mesh_3_scan", [](const MeshingTask& task) { return make_mesh_3(task, Mesh3Seeding::kScan); }},
+            {"mesh_3_parallel_2", on_two_threads([](const MeshingTask& task)
+                                                 { return make_parallel_mesh_3(task, Mesh3Seeding::kDefault); })},
+            {"mesh_3_parallel_scan_2", on_two_threads([](const MeshingTask& task)
+                                                      { return make_parallel_mesh_3(task, Mesh3Seeding::kScan); })}};
 }
 
 } // namespace voroprobe::bench

@@ -65,7 +65,7 @@ void add_options(CLI::App& app, Options& options)
         ->capture_default_str();
     app.add_option("--peers", options.contestants, "contestants, the first is the reference of the ratios")
         ->delimiter(',')
-        ->default_str("voroprobe,refinement,surface_mesher,mesh_3,mesh_3_scan");
+        ->default_str("all");
     app.add_option("--repeat", options.repeat, "timed runs of each, interleaved; the median counts")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
@@ -127,6 +127,14 @@ Subject choose_subject(const Options& options)
     return read_subject(shipped, options.isovalue.value_or(1150.5));
 }
 
+std::string known_names(const std::vector<Entry>& entries)
+{
+    std::string names;
+    for (const Entry& entry : entries)
+        names += (names.empty() ? "" : ", ") + entry.name;
+    return names;
+}
+
 std::vector<Entry> choose_contestants(const std::vector<std::string>& names)
 {
     std::vector<Entry> all = all_contestants();
@@ -140,7 +148,7 @@ std::vector<Entry> choose_contestants(const std::vector<std::string>& names)
         if (found == all.end())
             throw UsageError(
                 "--peers " + name +
-                ": unknown; known are voroprobe, refinement, surface_mesher, mesh_3, mesh_3_scan");
+                ": unknown; known are " + known_names(all));
         chosen.push_back(*found);
     }
     return chosen;
