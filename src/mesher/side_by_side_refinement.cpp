@@ -20,7 +20,7 @@ constexpr std::size_t kMostSubdomains = 16;
 constexpr std::size_t kLeastVertices = 4000;
 
 // Fewer bad facets are not worth a round.
-constexpr std::size_t kLeastBadFacets = 300;
+constexpr std::size_t kLeastBadFacets = 100;
 
 // Insertions of one subdomain in one round: cuts that share the work out evenly do so for a while.
 constexpr std::size_t kLeastInsertions = 512;
