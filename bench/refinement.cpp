@@ -146,9 +146,7 @@ std::vector<Entry> choose_contestants(const std::vector<std::string>& names)
         const auto found =
             std::find_if(all.begin(), all.end(), [&name](const Entry& entry) { return entry.name == name; });
         if (found == all.end())
-            throw UsageError(
-                "--peers " + name +
-                ": unknown; known are " + known_names(all));
+            throw UsageError("--peers " + name + ": unknown; known are " + known_names(all));
         chosen.push_back(*found);
     }
     return chosen;
