@@ -129,25 +129,26 @@ DoubledEuler doubled_euler_around(const RestrictedDelaunay& restricted,
     return sums;
 }
 
-std::vector<long> doubled_euler_of_surfaces(const RestrictedDelaunay& restricted)
+std::vector<long> doubled_euler_of_surfaces(const RestrictedDelaunay& restricted, const CellTable& table)
 {
     const SurfaceOracle& oracle = restricted.oracle();
     std::vector<long> sums(oracle.surface_count(), 0);
     std::vector<bool> is_counted(restricted.vertex_index_bound(), false);
     std::vector<VertexHandle> pinched;
-    for (const DelaunayCell delaunay_cell : restricted.triangulation().all_cell_handles())
+    for (CellTable::Number c = 0; c < table.size(); ++c)
     {
-        for (int i = 0; inside(delaunay_cell) && i < 4; ++i)
+        for (std::size_t i = 0; is_inside(table.region(c)) && i < 4; ++i)
         {
+            const Region beyond = table.region(table.neighbors(c)[i]);
             const SurfaceId surface =
-                separates_sides(delaunay_cell, i) ? surface_of(oracle, delaunay_cell, i) : kNoSurface;
+                is_inside(beyond) ? kNoSurface : oracle.surface_between(table.region(c), beyond);
             if (surface == kNoSurface)
                 continue;
             --sums[static_cast<std::size_t>(surface)];
-            for (int k = 0; k < 4; ++k)
+            for (std::size_t k = 1; k < 4; ++k)
             {
-                const VertexHandle vertex = delaunay_cell->vertex(k);
-                if (k == i || is_counted[vertex->info().index])
+                const VertexHandle vertex = table.cell(c)->vertex(static_cast<int>((i + k) % 4));
+                if (is_counted[vertex->info().index])
                     continue;
                 is_counted[vertex->info().index] = true;
                 if (vertex->info().pinched)

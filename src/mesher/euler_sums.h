@@ -3,6 +3,7 @@
 #include <map>
 #include <vector>
 
+#include "mesher/cell_table.h"
 #include "mesher/restricted_delaunay.h"
 
 namespace voroprobe
@@ -19,6 +20,6 @@ DoubledEuler doubled_euler_around(const RestrictedDelaunay& restricted,
 
 //! Of each surface of the oracle's inventory, as its mesh has it by the regions of the Delaunay cells. Needs
 //! VertexData::pinched. Cost: O(Delaunay cells).
-std::vector<long> doubled_euler_of_surfaces(const RestrictedDelaunay& restricted);
+std::vector<long> doubled_euler_of_surfaces(const RestrictedDelaunay& restricted, const CellTable& table);
 
 } // namespace voroprobe

@@ -181,7 +181,7 @@ private:
         std::vector<Point3> places = find_unfaithful_places(restricted_);
         if (missing.empty())
         {
-            const std::vector<Point3> gaps = find_gaps(restricted_, options_.floor_radius);
+            const std::vector<Point3> gaps = settlement_.find_gaps();
             places.insert(places.end(), gaps.begin(), gaps.end());
         }
         // Along a crease of the interpolant there are the more of them the closer one looks.
@@ -212,7 +212,7 @@ private:
         settlement_.unsettle();
         std::vector<Point3> places;
         if (has_gaps)
-            places = find_gaps(restricted_, options_.floor_radius);
+            places = settlement_.find_gaps();
         const std::size_t seeds = seed_points(points, options_.floor_radius, restricted_, refinement_);
         if (round > 1 || seeds == 0)
             places.insert(places.end(), points.begin(), points.end());
