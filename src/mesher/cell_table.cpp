@@ -14,6 +14,12 @@ namespace
 // How many cells ahead the neighbours of the next are asked for: they lie anywhere in memory.
 constexpr std::size_t kPrefetchDistance = 16;
 
+std::array<std::uint32_t, 4> corner_indices(DelaunayCell delaunay_cell)
+{
+    return {delaunay_cell->vertex(0)->info().index, delaunay_cell->vertex(1)->info().index,
+            delaunay_cell->vertex(2)->info().index, delaunay_cell->vertex(3)->info().index};
+}
+
 constexpr auto kNewCell = std::numeric_limits<CellTable::Number>::max();
 
 } // namespace
@@ -24,6 +30,7 @@ CellTable::CellTable(const Triangulation& triangulation)
     const std::size_t count = triangulation.tds().cells().size();
     cells_.reserve(count);
     neighbors_.reserve(count);
+    corners_.reserve(count);
     is_infinite_.reserve(count);
     regions_.reserve(count);
     for (const DelaunayCell delaunay_cell : triangulation.all_cell_handles())
@@ -31,6 +38,7 @@ CellTable::CellTable(const Triangulation& triangulation)
         delaunay_cell->info().scratch = size();
         cells_.push_back(delaunay_cell);
         regions_.push_back(delaunay_cell->info().region);
+        corners_.push_back(corner_indices(delaunay_cell));
         is_infinite_.push_back(triangulation.is_infinite(delaunay_cell));
     }
     for (std::size_t c = 0; c < cells_.size(); ++c)
@@ -81,6 +89,7 @@ std::optional<std::vector<CellTable::Number>> CellTable::update()
         numbers.push_back(size());
         cells_.emplace_back();
         neighbors_.emplace_back();
+        corners_.emplace_back();
         is_infinite_.push_back(false);
         regions_.push_back(kOuterRegion);
     }
@@ -104,6 +113,7 @@ void CellTable::put(Number c, DelaunayCell delaunay_cell)
     delaunay_cell->info().scratch = c;
     cells_[c] = delaunay_cell;
     regions_[c] = delaunay_cell->info().region;
+    corners_[c] = corner_indices(delaunay_cell);
     is_infinite_[c] = triangulation_->is_infinite(delaunay_cell);
 }
 

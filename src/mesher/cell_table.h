@@ -25,6 +25,8 @@ public:
     [[nodiscard]] Number size() const { return static_cast<Number>(cells_.size()); }
     [[nodiscard]] DelaunayCell cell(Number c) const { return cells_[c]; }
     [[nodiscard]] const std::array<Number, 4>& neighbors(Number c) const { return neighbors_[c]; }
+    //! VertexData::index of each; of the infinite vertex anything.
+    [[nodiscard]] const std::array<std::uint32_t, 4>& corners(Number c) const { return corners_[c]; }
     [[nodiscard]] bool is_infinite(Number c) const { return is_infinite_[c]; }
     [[nodiscard]] Region region(Number c) const { return regions_[c]; }
     static Number number(DelaunayCell delaunay_cell) { return delaunay_cell->info().scratch; }
@@ -65,6 +67,7 @@ private:
     std::size_t vertices_seen_ = 0; //!< VertexData::index of later ones runs from here
     std::vector<DelaunayCell> cells_;
     std::vector<std::array<Number, 4>> neighbors_;
+    std::vector<std::array<std::uint32_t, 4>> corners_;
     std::vector<bool> is_infinite_;
     std::vector<Region> regions_;
     std::vector<Change> changes_;

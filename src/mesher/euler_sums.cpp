@@ -129,10 +129,10 @@ DoubledEuler doubled_euler_around(const RestrictedDelaunay& restricted,
     return sums;
 }
 
-std::vector<long> doubled_euler_of_surfaces(const RestrictedDelaunay& restricted, const CellTable& table)
+MeshedSurfaces find_meshed_surfaces(const RestrictedDelaunay& restricted, const CellTable& table)
 {
     const SurfaceOracle& oracle = restricted.oracle();
-    std::vector<long> sums(oracle.surface_count(), 0);
+    MeshedSurfaces found{std::vector<long>(oracle.surface_count(), 0), {}};
     std::vector<bool> is_counted(restricted.vertex_index_bound(), false);
     std::vector<VertexHandle> pinched;
     for (CellTable::Number c = 0; c < table.size(); ++c)
@@ -144,29 +144,36 @@ std::vector<long> doubled_euler_of_surfaces(const RestrictedDelaunay& restricted
                 is_inside(beyond) ? kNoSurface : oracle.surface_between(table.region(c), beyond);
             if (surface == kNoSurface)
                 continue;
-            --sums[static_cast<std::size_t>(surface)];
+            --found.doubled_euler[static_cast<std::size_t>(surface)];
             for (std::size_t k = 1; k < 4; ++k)
             {
-                const VertexHandle vertex = table.cell(c)->vertex(static_cast<int>((i + k) % 4));
-                if (is_counted[vertex->info().index])
+                const std::uint32_t index = table.corners(c)[(i + k) % 4];
+                if (is_counted[index])
                     continue;
-                is_counted[vertex->info().index] = true;
+                is_counted[index] = true;
+                const VertexHandle vertex = table.cell(c)->vertex(static_cast<int>((i + k) % 4));
                 if (vertex->info().pinched)
                     pinched.push_back(vertex);
                 else
-                    sums[static_cast<std::size_t>(surface)] += 2;
+                {
+                    found.doubled_euler[static_cast<std::size_t>(surface)] += 2;
+                    found.vertices.push_back({surface, position(vertex)});
+                }
             }
         }
     }
-    DoubledEuler umbrellas;
     for (const VertexHandle vertex : pinched)
-        VertexStar(restricted, vertex).add_umbrellas(umbrellas);
-    for (const auto& [surface, sum] : umbrellas)
     {
-        if (surface != kNoSurface)
-            sums[static_cast<std::size_t>(surface)] += sum;
+        DoubledEuler umbrellas;
+        VertexStar(restricted, vertex).add_umbrellas(umbrellas);
+        umbrellas.erase(kNoSurface);
+        for (const auto& [surface, sum] : umbrellas)
+        {
+            found.doubled_euler[static_cast<std::size_t>(surface)] += sum;
+            found.vertices.push_back({surface, position(vertex)});
+        }
     }
-    return sums;
+    return found;
 }
 
 } // namespace voroprobe

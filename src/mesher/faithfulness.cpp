@@ -123,29 +123,6 @@ std::size_t seed_surfaces(std::span<const SurfaceId> surfaces, std::size_t point
     return inserted;
 }
 
-std::vector<SurfacePoint> vertices_on_surfaces(const RestrictedDelaunay& restricted)
-{
-    std::vector<SurfacePoint> vertices;
-    std::vector<SurfaceId> noted(restricted.vertex_index_bound(), kNoSurface);
-    for (const DelaunayCell delaunay_cell : restricted.triangulation().all_cell_handles())
-    {
-        for (int i = 0; inside(delaunay_cell) && i < 4; ++i)
-        {
-            const SurfaceId surface = restricted.oracle().surface_between(
-                delaunay_cell->info().region, delaunay_cell->neighbor(i)->info().region);
-            if (surface == kNoSurface)
-                continue;
-            for (int k = 0; k < 4; ++k)
-            {
-                const VertexHandle vertex = delaunay_cell->vertex(k);
-                if (k != i && std::exchange(noted[vertex->info().index], surface) != surface)
-                    vertices.push_back({surface, position(vertex)});
-            }
-        }
-    }
-    return vertices;
-}
-
 std::vector<Point3> points_around(std::span<const Neck> necks, double floor_radius,
                                   const SurfaceOracle& oracle)
 {

@@ -458,15 +458,14 @@ private:
 
 } // namespace
 
-std::vector<long> lacking_euler(const RestrictedDelaunay& restricted, const CellTable& table)
+std::vector<long> lacking_euler(const SurfaceOracle& oracle, std::vector<long> doubled_euler)
 {
-    std::vector<long> lacking = doubled_euler_of_surfaces(restricted, table);
-    for (std::size_t surface = 0; surface < lacking.size(); ++surface)
+    for (std::size_t surface = 0; surface < doubled_euler.size(); ++surface)
     {
-        const int wanted = restricted.oracle().euler_characteristic(static_cast<SurfaceId>(surface));
-        lacking[surface] = 2L * wanted - lacking[surface];
+        const int wanted = oracle.euler_characteristic(static_cast<SurfaceId>(surface));
+        doubled_euler[surface] = 2L * wanted - doubled_euler[surface];
     }
-    return lacking;
+    return doubled_euler;
 }
 
 void note_new_cells(const CellTable& table, std::span<const CellTable::Number> new_cells,

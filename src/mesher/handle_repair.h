@@ -71,10 +71,9 @@ struct HandleMemory
 void note_new_cells(const CellTable& table, std::span<const CellTable::Number> new_cells,
                     HandleMemory& memory);
 
-//! By surface of the oracle's inventory: twice what the Euler characteristic of its mesh lacks, by the
-//! regions of the Delaunay cells. Negative where handles are missing, positive where there are too many.
-//! Cost: O(Delaunay cells).
-std::vector<long> lacking_euler(const RestrictedDelaunay& restricted, const CellTable& table);
+//! By surface of the oracle's inventory: twice what the Euler characteristic of its mesh lacks. Negative
+//! where handles are missing, positive where there are too many.
+std::vector<long> lacking_euler(const SurfaceOracle& oracle, std::vector<long> doubled_euler);
 
 //! Opens bridges and tunnels that the scan has and the mesh has not, and closes those that the mesh has and
 //! the scan has not: where a neck of the scan lies on the wrong side of the mesh, the Delaunay cells along it

@@ -163,7 +163,9 @@ void RegionSettlement::undo_broken_changes()
 
 void RegionSettlement::settle_handles()
 {
-    lacking_ = lacking_euler(restricted_, *table_);
+    MeshedSurfaces meshed = find_meshed_surfaces(restricted_, *table_);
+    vertices_on_surfaces_ = std::move(meshed.vertices);
+    lacking_ = lacking_euler(restricted_.oracle(), std::move(meshed.doubled_euler));
     if (!lacks_any())
         return;
     if (handles_.necks.empty())

@@ -48,6 +48,13 @@ public:
     //! of these. After settle().
     [[nodiscard]] std::vector<Neck> necks_to_refine() const;
 
+    //! Vertices of the mesh, at least once for each surface that they are on, as settle() found them where it
+    //! was to look at handles.
+    [[nodiscard]] const std::vector<SurfacePoint>& vertices_on_surfaces() const
+    {
+        return vertices_on_surfaces_;
+    }
+
     //! Takes back what was done for handles at any of the vertices; false where there was nothing.
     bool undo_handles_at(std::span<const VertexHandle> vertices);
 
@@ -82,6 +89,7 @@ private:
     std::vector<CellTable::Number> new_cells_; //!< since the regions were settled
     RegionRepairMemory regions_;
     HandleMemory handles_;
+    std::vector<SurfacePoint> vertices_on_surfaces_;
     std::vector<long> lacking_; //!< see lacking_euler(); empty where it was not asked for
     std::vector<HandleChange> handle_changes_;
     std::size_t changes_before_angles_ = 0; //!< of the table
