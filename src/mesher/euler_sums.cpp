@@ -133,8 +133,7 @@ MeshedSurfaces find_meshed_surfaces(const RestrictedDelaunay& restricted, const 
 {
     const SurfaceOracle& oracle = restricted.oracle();
     MeshedSurfaces found{std::vector<long>(oracle.surface_count(), 0), {}};
-    std::vector<bool> is_counted(restricted.vertex_index_bound(), false);
-    std::vector<VertexHandle> pinched;
+    std::vector<SurfaceId> surface_of_vertex(restricted.vertex_index_bound(), kNoSurface); // one of its own
     for (CellTable::Number c = 0; c < table.size(); ++c)
     {
         for (std::size_t i = 0; is_inside(table.region(c)) && i < 4; ++i)
@@ -146,32 +145,29 @@ MeshedSurfaces find_meshed_surfaces(const RestrictedDelaunay& restricted, const 
                 continue;
             --found.doubled_euler[static_cast<std::size_t>(surface)];
             for (std::size_t k = 1; k < 4; ++k)
-            {
-                const std::uint32_t index = table.corners(c)[(i + k) % 4];
-                if (is_counted[index])
-                    continue;
-                is_counted[index] = true;
-                const VertexHandle vertex = table.cell(c)->vertex(static_cast<int>((i + k) % 4));
-                if (vertex->info().pinched)
-                    pinched.push_back(vertex);
-                else
-                {
-                    found.doubled_euler[static_cast<std::size_t>(surface)] += 2;
-                    found.vertices.push_back({surface, position(vertex)});
-                }
-            }
+                surface_of_vertex[table.corners(c)[(i + k) % 4]] = surface;
         }
     }
-    for (const VertexHandle vertex : pinched)
+    for (const VertexHandle vertex : restricted.triangulation().finite_vertex_handles())
     {
+        const SurfaceId surface = surface_of_vertex[vertex->info().index];
+        if (surface == kNoSurface)
+            continue;
+        const auto add = [&](SurfaceId at, long sum)
+        {
+            found.doubled_euler[static_cast<std::size_t>(at)] += sum;
+            found.vertices.push_back({at, position(vertex)});
+        };
+        if (!vertex->info().pinched)
+        {
+            add(surface, 2);
+            continue;
+        }
         DoubledEuler umbrellas;
         VertexStar(restricted, vertex).add_umbrellas(umbrellas);
         umbrellas.erase(kNoSurface);
-        for (const auto& [surface, sum] : umbrellas)
-        {
-            found.doubled_euler[static_cast<std::size_t>(surface)] += sum;
-            found.vertices.push_back({surface, position(vertex)});
-        }
+        for (const auto& [each, sum] : umbrellas)
+            add(each, sum);
     }
     return found;
 }

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "mesher/cell_shape.h"
-#include "mesher/region_components.h"
+#include "mesher/component_update.h"
 
 namespace voroprobe
 {
@@ -53,7 +53,9 @@ public:
                  RegionRepairMemory& memory)
         : oracle_(oracle), table_(table), floor_(floor_radius), memory_(memory)
     {
-        if (table.changes().size() > memory.changes_seen)
+        note_changes(table, memory);
+        if (memory.components && !memory.changed.empty() &&
+            !update_components(table, memory.changed, *memory.components))
             memory.components.reset();
     }
 
@@ -185,7 +187,7 @@ private:
         {
             for (const Number cell : memory_.suspects)
                 note_conflicts(cell, conflicting);
-            std::for_each(memory_.new_cells.begin(), memory_.new_cells.end(), note_around);
+            std::for_each(memory_.changed.begin(), memory_.changed.end(), note_around);
             for (std::size_t c = memory_.changes_seen; c < changes.size(); ++c)
                 note_around(changes[c].cell);
         }
@@ -195,7 +197,7 @@ private:
                 note_conflicts(cell, conflicting);
         }
         memory_.suspects.clear();
-        memory_.new_cells.clear();
+        memory_.changed.clear();
         memory_.changes_seen = changes.size();
         return conflicting;
     }
@@ -439,12 +441,17 @@ private:
 
 } // namespace
 
-void note_new_cells(const CellTable& table, std::vector<CellTable::Number> new_cells,
+void note_changes(const CellTable& table, RegionRepairMemory& memory)
+{
+    for (std::size_t c = memory.changes_seen; c < table.changes().size(); ++c)
+        memory.changed.push_back(table.changes()[c].cell);
+    memory.changes_seen = table.changes().size();
+}
+
+void note_new_cells(const CellTable& table, const std::vector<CellTable::Number>& new_cells,
                     RegionRepairMemory& memory)
 {
-    if (!new_cells.empty())
-        memory.components.reset();
-    memory.new_cells.insert(memory.new_cells.end(), new_cells.begin(), new_cells.end());
+    memory.changed.insert(memory.changed.end(), new_cells.begin(), new_cells.end());
     memory.changes_seen = table.changes().size();
 }
 

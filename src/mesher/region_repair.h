@@ -25,14 +25,17 @@ struct RegionRepairReport
 struct RegionRepairMemory
 {
     bool looked_at_all = false;
-    std::vector<CellTable::Number> new_cells;   //!< of the table, since the last call
+    std::vector<CellTable::Number> changed;     //!< by others since the last call, and new cells
     std::vector<CellTable::Number> suspects;    //!< next to regions that do not touch theirs in the scan
     std::size_t changes_seen = 0;               //!< of the table
-    std::optional<RegionComponents> components; //!< unset: as others have changed regions since
+    std::optional<RegionComponents> components; //!< unset: have to be found anew
 };
 
-//! After CellTable::update(), which has returned `new_cells`.
-void note_new_cells(const CellTable& table, std::vector<CellTable::Number> new_cells,
+//! To be called before CellTable::update() ...
+void note_changes(const CellTable& table, RegionRepairMemory& memory);
+
+//! ... and after it, with what it has returned.
+void note_new_cells(const CellTable& table, const std::vector<CellTable::Number>& new_cells,
                     RegionRepairMemory& memory);
 
 //! Where the cheapest ways lead that would join the pieces of the regions: necks of the scan that the mesh

@@ -39,6 +39,7 @@ void RegionSettlement::take_in_new_cells()
 {
     if (table_)
     {
+        note_changes(*table_, regions_);
         if (const auto made = table_->update())
         {
             note_new_cells(*table_, *made, regions_);
