@@ -42,7 +42,57 @@ public:
     //! Adds two for each umbrella of a surface.
     void add_umbrellas(DoubledEuler& sums) const
     {
+        UnionFind umbrellas = find_umbrellas();
+        for (std::uint32_t f = 0; f < facets_.size(); ++f)
+        {
+            if (umbrellas.find(f) == f)
+                sums[surface_of(restricted_.oracle(), facets_[f].delaunay_cell, facets_[f].index)] += 2;
+        }
+    }
+
+private:
+    [[nodiscard]] UnionFind find_umbrellas() const
+    {
         UnionFind umbrellas(facets_.size());
+        if (join_at_edges_of_two(umbrellas))
+            return umbrellas;
+        umbrellas = UnionFind(facets_.size());
+        join_across_edges(umbrellas);
+        return umbrellas;
+    }
+
+    //! Joins the two facets at each edge; false where an edge has more, and it takes more to tell which.
+    bool join_at_edges_of_two(UnionFind& umbrellas) const
+    {
+        struct Edge
+        {
+            VertexHandle other;
+            std::uint32_t facet;
+            int count;
+        };
+        std::vector<Edge> edges;
+        for (std::uint32_t f = 0; f < facets_.size(); ++f)
+        {
+            for (int k = 0; k < 4; ++k)
+            {
+                const VertexHandle other = facets_[f].delaunay_cell->vertex(k);
+                if (k == facets_[f].index || other == vertex_)
+                    continue;
+                const auto edge = std::find_if(edges.begin(), edges.end(),
+                                               [&](const Edge& each) { return each.other == other; });
+                if (edge == edges.end())
+                    edges.push_back({other, f, 1});
+                else if (++edge->count > 2)
+                    return false;
+                else
+                    umbrellas.unite(edge->facet, f);
+            }
+        }
+        return true;
+    }
+
+    void join_across_edges(UnionFind& umbrellas) const
+    {
         for (std::uint32_t f = 0; f < facets_.size(); ++f)
         {
             for (int k = 0; k < 4; ++k)
@@ -52,14 +102,8 @@ public:
                     umbrellas.unite(f, number(partner_across(facets_[f], other)));
             }
         }
-        for (std::uint32_t f = 0; f < facets_.size(); ++f)
-        {
-            if (umbrellas.find(f) == f)
-                sums[surface_of(restricted_.oracle(), facets_[f].delaunay_cell, facets_[f].index)] += 2;
-        }
     }
 
-private:
     [[nodiscard]] FacetOfCell partner_across(const FacetOfCell& facet, VertexHandle other) const
     {
         const FacetOfCell through_inside = next_odd_facet(facet.delaunay_cell, facet.index, vertex_, other);
