@@ -155,11 +155,12 @@ std::vector<SurfacePoint> find_uncovered_points(const SurfaceOracle& oracle,
     return points;
 }
 
-std::vector<SurfacePoint> find_uncovered_points_near(std::span<const SurfacePoint> places,
+std::vector<SurfacePoint> find_uncovered_points_near(std::vector<SurfacePoint> places,
                                                      const SurfaceOracle& oracle,
                                                      std::span<const SurfacePoint> vertices, double radius,
                                                      double spacing, std::size_t threads)
 {
+    erase_covered(oracle.domain(), vertices, radius, places);
     if (places.empty())
         return {};
     std::vector<SurfacePoint> points = oracle.points_in_cubes(spacing, threads);

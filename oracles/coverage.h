@@ -23,8 +23,9 @@ std::vector<SurfacePoint> find_uncovered_points(const SurfaceOracle& oracle,
                                                 std::span<const SurfacePoint> vertices, double radius,
                                                 double spacing, std::size_t threads);
 
-//! The same among points that are not much farther than `radius` from one of the places on the same surface.
-std::vector<SurfacePoint> find_uncovered_points_near(std::span<const SurfacePoint> places,
+//! The same among points that are not much farther than `radius` from one of the places on the same surface:
+//! from those that are not covered themselves.
+std::vector<SurfacePoint> find_uncovered_points_near(std::vector<SurfacePoint> places,
                                                      const SurfaceOracle& oracle,
                                                      std::span<const SurfacePoint> vertices, double radius,
                                                      double spacing, std::size_t threads);

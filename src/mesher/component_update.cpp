@@ -28,8 +28,7 @@ public:
 
     bool run()
     {
-        const std::vector<bool> is_largest = largest_of_each_region(components_.components);
-        if (!std::all_of(is_largest.begin(), is_largest.end(), [](bool largest) { return largest; }))
+        if (is_any_region_in_pieces())
             return false;
         components_.of_cell.resize(table_.size(), kNoComponent);
         for (const Number cell : changed_)
@@ -43,6 +42,18 @@ public:
     }
 
 private:
+    //! Components that were given to other regions are still listed, but no longer hold their first cells.
+    [[nodiscard]] bool is_any_region_in_pieces() const
+    {
+        const std::vector<bool> is_largest = largest_of_each_region(components_.components);
+        for (std::uint32_t c = 0; c < is_largest.size(); ++c)
+        {
+            if (!is_largest[c] && components_.of_cell[components_.components[c].first] == c)
+                return true;
+        }
+        return false;
+    }
+
     //! The changed cells joined to this one, and those around them.
     std::vector<Number> take_changed_with(Number first)
     {

@@ -234,8 +234,8 @@ private:
         const std::span<const SurfacePoint> vertices = settlement_.vertices_on_surfaces();
         uncovered_ = round == 1
                          ? find_uncovered_points(oracle_, vertices, 2.0 * radius, spacing, options_.threads)
-                         : find_uncovered_points_near(uncovered_, oracle_, vertices, 2.0 * radius, spacing,
-                                                      options_.threads);
+                         : find_uncovered_points_near(std::move(uncovered_), oracle_, vertices, 2.0 * radius,
+                                                      spacing, options_.threads);
         statistics_.uncovered_points += uncovered_.size();
     }
 
