@@ -4,11 +4,12 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <set>
 
 #include <gtest/gtest.h>
 
 #include "certificate/self_intersections.h"
-#include "labels/enclosed_background.h"
+#include "labels/cavity_labels.h"
 #include "labels/joint_meshing.h"
 #include "labels/label_cavities.h"
 #include "mesh/measures.h"
@@ -243,34 +244,93 @@ TEST(InterfaceMeshing, specks_within_a_label_keep_their_volume)
     }
 }
 
-TEST(EnclosedBackground, becomes_labels_and_nothing_else_changes)
+TEST(CavityLabels, stand_for_the_labels_of_the_map_voxel_by_voxel)
 {
+    const std::array<std::size_t, 3> size{12, 10, 11};
     for (std::uint64_t seed = 0; seed < 10; ++seed)
     {
-        const LabelSurvey survey(random_labels({12, 10, 11}, 2, seed));
-        const LabelSurvey with = with_enclosed_background(survey, all_labels(survey));
-        ASSERT_GE(with.labels().size(), survey.labels().size());
-        for (std::size_t n = 0; n < survey.labels().size(); ++n)
-        {
-            EXPECT_EQ(with.labels()[n].voxels, survey.labels()[n].voxels);
-            ASSERT_EQ(with.labels()[n].parts.size(), survey.labels()[n].parts.size());
-            for (std::size_t p = 0; p < survey.labels()[n].parts.size(); ++p)
-                EXPECT_EQ(with.parts()[with.labels()[n].parts[p]].first_voxel,
-                          survey.parts()[survey.labels()[n].parts[p]].first_voxel);
-        }
+        const Volume volume = random_labels(size, 3, seed);
+        const LabelSurvey survey(volume);
+        const CavityLabels apart = label_cavities_apart(survey, all_labels(survey));
+        for (int k = 0; k < 11; ++k)
+            for (int j = 0; j < 10; ++j)
+            {
+                std::array<LabelValue, 12> found{};
+                for (const LabelRun& run : apart.survey.row(j, k))
+                    if (const PartitionLabel of = apart.stands_for[apart.survey.parts()[run.part].label + 1])
+                        std::fill(found.begin() + run.first, found.begin() + run.end,
+                                  survey.labels()[of - 1].value);
+                for (std::size_t i = 0; i < 12; ++i)
+                    EXPECT_EQ(found[i], std::lround(volume.at(i, static_cast<std::size_t>(j),
+                                                              static_cast<std::size_t>(k))));
+            }
     }
-    const LabelSurvey block(pierced_block());
-    EXPECT_EQ(with_enclosed_background(block, all_labels(block)).labels().size(), 1U + 7U);
 }
 
-TEST(EnclosedBackground, of_labels_that_are_not_asked_for_counts_as_well)
+TEST(CavityLabels, know_the_cavities_around_them)
+{
+    const LabelSurvey block(pierced_block());
+    const CavityLabels apart = label_cavities_apart(block, all_labels(block));
+    ASSERT_EQ(apart.survey.labels().size(), 1U + 7U);
+    EXPECT_TRUE(apart.cavities_around[1].empty());
+    std::set<std::uint32_t> cavities;
+    for (PartitionLabel label = 2; label <= 8; ++label)
+    {
+        EXPECT_EQ(apart.stands_for[label], 0U);
+        ASSERT_EQ(apart.cavities_around[label].count(1), 1U);
+        cavities.insert(apart.cavities_around[label].at(1));
+    }
+    EXPECT_EQ(cavities.size(), 7U);
+}
+
+TEST(CavityLabels, of_labels_that_are_not_asked_for_are_background)
 {
     const LabelSurvey survey(two_shells());
     const std::vector<std::uint32_t> shells{0};
-    const LabelSurvey with =
-        with_enclosed_background(survey, shells); // the ball in a shell is background now
-    ASSERT_EQ(with.labels().size(), 3U);
-    EXPECT_EQ(with.labels()[1].voxels, with.labels()[2].voxels);
+    const CavityLabels apart = label_cavities_apart(survey, shells);
+    ASSERT_EQ(apart.survey.labels().size(), 3U);
+    EXPECT_EQ(apart.survey.labels()[1].voxels, apart.survey.labels()[2].voxels); // the ball is background
+    EXPECT_EQ(apart.stands_for, (std::vector<PartitionLabel>{0, 1, 0, 0}));
+}
+
+//! A block of label 1 that lies in label 2, with voxels of label 2 in it: one by itself, and two that touch
+//! label 2 outside at an edge and at a corner.
+Volume block_with_guests()
+{
+    std::vector<std::uint8_t> samples;
+    for (int k = 0; k < 16; ++k)
+        for (int j = 0; j < 16; ++j)
+            for (int i = 0; i < 16; ++i)
+            {
+                const int rim = std::min({i, j, k, 15 - i, 15 - j, 15 - k});
+                samples.push_back(rim >= 4 ? 1 : rim >= 1 ? 2 : 0);
+            }
+    const auto at = [](int i, int j, int k) { return static_cast<std::size_t>(i + 16 * (j + 16 * k)); };
+    samples[at(8, 8, 8)] = 2;
+    // Dents, whose bottoms are outside, and voxels that touch these.
+    samples[at(4, 6, 6)] = 2;
+    samples[at(5, 7, 6)] = 2;
+    samples[at(4, 9, 9)] = 2;
+    samples[at(5, 10, 10)] = 2;
+    return make_volume({.size = {16, 16, 16}, .spacing = kUnit, .direction = {}, .origin = {}},
+                       std::move(samples));
+}
+
+TEST(InterfaceMeshing,
+     voxels_of_a_neighbour_are_cavities_though_they_touch_the_rest_of_it_at_edges_and_corners)
+{
+    const LabelSurvey survey(block_with_guests());
+    ASSERT_EQ(count_cavities(survey, 0), 3U);
+    ASSERT_EQ(survey.labels()[1].parts.size(), 2U);
+    const auto meshes = mesh_jointly(survey);
+    for (const auto& [place, label] : meshes)
+    {
+        EXPECT_TRUE(label.complete());
+        EXPECT_EQ(label.cavities_meshed, label.cavities_expected);
+        EXPECT_NEAR(label.mesh_volume, label.voxel_volume, 0.02 * label.voxel_volume);
+    }
+    EXPECT_EQ(meshes.at(0).parts_in_pieces, 0U);
+    EXPECT_EQ(meshes.at(1).parts_in_pieces, 1U); // the one outside, of which the two guests are
 }
 
 TEST(LabelCavities, are_counted_as_a_flood_through_faces_does)
@@ -302,9 +362,9 @@ TEST(LabelCavities, are_counted_as_a_flood_through_faces_does)
 TEST(InterfaceMeshing, the_same_labels_give_the_same_mesh_wherever_memory_lies)
 {
     const LabelSurvey survey(random_labels({40, 40, 40}, 6, 1));
-    const LabelPartition partition(survey, all_labels(survey), kUnit);
-    const auto mesh = [&]
-    { return mesh_interfaces(survey, all_labels(survey), kUnit, partition, kCriteria); };
+    const CavityLabels apart = label_cavities_apart(survey, all_labels(survey));
+    const LabelPartition partition(apart.survey, all_labels(apart.survey), kUnit);
+    const auto mesh = [&] { return mesh_interfaces(survey, apart, kUnit, partition, kCriteria); };
     const InterfaceMesh first = mesh();
     // Freed blocks in the heap's way: what is allocated now has other places, and another order of them.
     std::vector<std::unique_ptr<std::vector<char>>> blocks;
