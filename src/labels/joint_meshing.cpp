@@ -10,6 +10,7 @@
 #include "labels/interface_meshing.h"
 #include "labels/label_cavities.h"
 #include "labels/label_partition.h"
+#include "labels/small_parts.h"
 #include "mesh/measures.h"
 #include "mesh/topology.h"
 #include "support/error.h"
@@ -78,7 +79,8 @@ void mesh_labels_jointly(const LabelSurvey& survey, std::span<const std::uint32_
     const CavityLabels apart = label_cavities_apart(survey, labels);
     std::vector<std::uint32_t> places(apart.survey.labels().size());
     std::iota(places.begin(), places.end(), 0);
-    const LabelPartition partition(apart.survey, places, spacing);
+    LabelPartition partition(apart.survey, places, spacing);
+    partition.balance(apart.survey, small_parts_alone(apart));
     InterfaceMesh interfaces = mesh_interfaces(survey, apart, spacing, partition, criteria, progress);
     if (interfaces.status == MeshingStatus::kBudgetExhausted)
         throw Error(ExitStatus::kBudget, "the labels take more than " +

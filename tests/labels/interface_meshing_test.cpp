@@ -12,6 +12,7 @@
 #include "labels/cavity_labels.h"
 #include "labels/joint_meshing.h"
 #include "labels/label_cavities.h"
+#include "labels/small_parts.h"
 #include "mesh/measures.h"
 #include "mesh/topology.h"
 #include "random_labels.h"
@@ -331,6 +332,57 @@ TEST(InterfaceMeshing,
     }
     EXPECT_EQ(meshes.at(0).parts_in_pieces, 0U);
     EXPECT_EQ(meshes.at(1).parts_in_pieces, 1U); // the one outside, of which the two guests are
+}
+
+TEST(SmallParts, that_touch_what_stands_for_the_same_may_not_grow)
+{
+    const LabelSurvey survey(block_with_guests());
+    const CavityLabels apart = label_cavities_apart(survey, all_labels(survey));
+    const std::vector<std::uint32_t> alone = small_parts_alone(apart);
+    std::vector<SampleIndex> first_voxels;
+    for (const std::uint32_t part : alone)
+        first_voxels.push_back(apart.survey.parts()[part].first_voxel);
+    EXPECT_EQ(std::count(first_voxels.begin(), first_voxels.end(), SampleIndex{8, 8, 8}), 1);
+    EXPECT_EQ(std::count(first_voxels.begin(), first_voxels.end(), SampleIndex{5, 7, 6}), 0);
+    EXPECT_EQ(std::count(first_voxels.begin(), first_voxels.end(), SampleIndex{5, 10, 10}), 0);
+
+    // Holes of background: those that touch none of it at edges and corners.
+    const LabelSurvey block(pierced_block());
+    const CavityLabels holes = label_cavities_apart(block, all_labels(block));
+    std::size_t growing = 0;
+    for (const std::uint32_t part : small_parts_alone(holes))
+        growing += holes.stands_for[holes.survey.parts()[part].label + 1] == 0 ? 1 : 0;
+    EXPECT_EQ(growing, 2U);
+}
+
+TEST(LabelPartition, parts_have_the_volume_of_their_voxels_once_they_are_balanced)
+{
+    std::vector<std::uint8_t> samples(16 * 16 * 16, 1);
+    const auto at = [](int i, int j, int k) { return static_cast<std::size_t>(i + 16 * (j + 16 * k)); };
+    samples[at(4, 4, 4)] = 2;
+    samples[at(10, 10, 4)] = samples[at(11, 11, 4)] = samples[at(12, 11, 5)] = 3;
+    for (int i = 4; i < 10; ++i)
+        samples[at(i, 11, 11)] = 4;
+    const LabelSurvey survey(make_volume(
+        {.size = {16, 16, 16}, .spacing = kUnit, .direction = {}, .origin = {}}, std::move(samples)));
+    LabelPartition partition(survey, all_labels(survey), kUnit);
+    const auto volume_of = [&](PartitionLabel label)
+    {
+        constexpr int kFine = 8;
+        std::size_t points = 0;
+        for (int n = 0; n < 16 * 16 * 16 * kFine * kFine * kFine; ++n)
+        {
+            const auto place = [](int digit) { return (digit % (16 * kFine) + 0.5) / kFine - 0.5; };
+            const Point3 p{place(n), place(n / (16 * kFine)), place(n / (16 * kFine) / (16 * kFine))};
+            points += partition.label(p) == label ? 1 : 0;
+        }
+        return static_cast<double>(points) / (kFine * kFine * kFine);
+    };
+    EXPECT_LT(volume_of(2), 0.6);
+    partition.balance(survey, {1, 2, 3});
+    EXPECT_NEAR(volume_of(2), 1.0, 0.3); // to the grain of 27 points a voxel
+    EXPECT_NEAR(volume_of(3), 3.0, 0.6);
+    EXPECT_NEAR(volume_of(4), 6.0, 0.6);
 }
 
 TEST(LabelCavities, are_counted_as_a_flood_through_faces_does)
