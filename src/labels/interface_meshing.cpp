@@ -129,10 +129,18 @@ private:
             for (const Vec3& direction : directions())
             {
                 partition_.find_changes({center, center + reach * direction}, changes);
-                if (!changes.empty())
+                if (!changes.empty() && !has_vertex_at(changes.front().point))
                     insert(changes.front().point);
             }
         }
+    }
+
+    //! Lines from both sides of an interface find the same point, but for rounding.
+    [[nodiscard]] bool has_vertex_at(const Point3& p) const
+    {
+        constexpr double kSameInFloors = 0.01;
+        const LabelVertex nearest = delaunay_.nearest_vertex(to_cgal(p), last_cell_);
+        return distance(from_cgal(nearest->point()), p) < kSameInFloors * criteria_.floor_radius;
     }
 
     //! To the middles of the sides of a cube, and to its corners.

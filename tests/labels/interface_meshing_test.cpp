@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <set>
@@ -431,6 +432,20 @@ TEST(InterfaceMeshing, the_same_labels_give_the_same_mesh_wherever_memory_lies)
                            [](const InterfaceFace& a, const InterfaceFace& b) {
                                return a.vertices == b.vertices && a.front == b.front && a.behind == b.behind;
                            }));
+}
+
+TEST(InterfaceMeshing, no_two_vertices_are_one_but_for_rounding)
+{
+    const LabelSurvey survey(random_labels({20, 20, 20}, 6, 1));
+    const CavityLabels apart = label_cavities_apart(survey, all_labels(survey));
+    const LabelPartition partition(apart.survey, all_labels(apart.survey), kUnit);
+    const InterfaceMesh mesh = mesh_interfaces(survey, apart, kUnit, partition, kCriteria);
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const InterfaceFace& face : mesh.faces)
+        for (std::size_t i = 0; i < 3; ++i)
+            shortest = std::min(shortest, distance(mesh.vertices[face.vertices[i]],
+                                                   mesh.vertices[face.vertices[(i + 1) % 3]]));
+    EXPECT_GT(shortest, 1e-3); // a millionth would be lost in 32-bit coordinates
 }
 
 TEST(InterfaceMeshing, random_label_maps_give_closed_meshes_and_list_what_is_not_there)
