@@ -372,8 +372,11 @@ TriangleMesh finish(TriangleMesh mesh, const FinishArguments& arguments, const s
         steps.run_on_shape("smooth", arguments.max_distance,
                            [&](const TriangleMesh& before, std::string& done)
                            {
-                               done = plural(arguments.smooth, "round", "rounds");
-                               return smoothed(before, arguments.smooth);
+                               SmoothingResult result = smooth(before, arguments.smooth);
+                               done = plural(arguments.smooth, "round", "rounds") + ", " +
+                                      plural(result.vertices_held, "vertex", "vertices") +
+                                      " held back where faces would have crossed";
+                               return std::move(result.mesh);
                            });
     if (arguments.decimates())
         steps.run_on_shape("decimate", arguments.max_distance,
