@@ -10,6 +10,7 @@
 #include "cli/interrupt.h"
 #include "cli/normals_argument.h"
 #include "cli/number_text.h"
+#include "cli/output_pattern.h"
 #include "cli/process_steps.h"
 #include "cli/process_summary.h"
 #include "cli/summary.h"
@@ -65,7 +66,10 @@ MeshFormat check_outputs(const ProcessArguments& arguments)
         throw UsageError("OUT and MESH are both " + arguments.mesh.string() + "; allowed: two files");
     if ((arguments.hollow.drain || arguments.hollow.voxel) && !arguments.hollow.wall)
         throw UsageError("--drain and --voxel go with --hollow WALL only");
-    check_writable(writes_many(arguments) ? numbered(arguments.output, 1) : arguments.output);
+    const fs::path first = writes_many(arguments) ? numbered(arguments.output, 1) : arguments.output;
+    if (writes_many(arguments))
+        make_folder_of(first);
+    check_writable(first);
     if (arguments.summary)
     {
         if (is_same_file(*arguments.summary, arguments.mesh) ||
