@@ -227,7 +227,11 @@ std::vector<std::size_t> LabelPieces::count_cavities(const CavityLabels& apart)
     const auto stands_for = [&](std::uint32_t piece) { return apart.stands_for[graph.pieces[piece].label]; };
     const PartitionLabel last = *std::max_element(apart.stands_for.begin(), apart.stands_for.end());
     std::vector<std::size_t> count(last + 1, 0);
-    for (PartitionLabel label = 1; label <= last; ++label)
+    std::set<PartitionLabel> labels_with_cavities;
+    for (const auto& around : apart.cavities_around)
+        for (const auto& [label, cavity] : around)
+            labels_with_cavities.insert(label);
+    for (const PartitionLabel label : labels_with_cavities)
     {
         UnionFind sets(graph.pieces.size());
         for (const auto& [a, b] : graph.contacts)

@@ -45,7 +45,7 @@ public:
 
     //! How many cavities of each label of the label map it encloses, by its place in LabelSurvey::labels(),
     //! plus one: bits of everything else, joined through facets. `apart`: whose labels the cells have. Cost:
-    //! labels times pieces.
+    //! labels with cavities times pieces.
     [[nodiscard]] std::vector<std::size_t> count_cavities(const CavityLabels& apart);
 
 private:
