@@ -42,9 +42,14 @@ fs::path numbered(const fs::path& pattern, std::size_t number)
     return name;
 }
 
+bool has_number(const fs::path& pattern)
+{
+    return pattern.filename().string().find(kNumberInName) != std::string::npos;
+}
+
 bool writes_many(const ProcessArguments& arguments)
 {
-    return arguments.split && arguments.output.filename().string().find(kNumberInName) != std::string::npos;
+    return arguments.split && has_number(arguments.output);
 }
 
 //! Everything that can be refused before the mesh is read.
@@ -59,6 +64,9 @@ MeshFormat check_outputs(const ProcessArguments& arguments)
             "--split goes with a .3mf, which holds an object for every body, or with {n} in the name of "
             "the output; it is '" +
             arguments.output.string() + "'");
+    if (has_number(arguments.output) && !arguments.split)
+        throw UsageError("--output is '" + arguments.output.string() +
+                         "', with {n}; allowed: only with --split");
     if (arguments.max_hole_rim && !arguments.repair)
         throw UsageError("--max-hole is " + number_text(*arguments.max_hole_rim) +
                          "; allowed: only with --repair");

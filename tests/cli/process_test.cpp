@@ -176,6 +176,9 @@ TEST_F(ProcessTest, wrong_usage_is_refused_before_anything_is_read)
         EXPECT_EQ(outcome.status, 2) << options[0];
         EXPECT_NE(outcome.err.find(options[0]), std::string::npos) << outcome.err;
     }
+    const program::Outcome unsplit = process("out{n}.stl", {"--center"});
+    EXPECT_EQ(unsplit.status, 2);
+    EXPECT_NE(unsplit.err.find("--split"), std::string::npos) << unsplit.err;
     EXPECT_EQ(program::run({"process", mesh(), "-o", mesh(), "--center"}).status, 2);
     EXPECT_EQ(program::run({"process", folder_ / "none.stl", "-o", folder_ / "out.stl"}).status, 3);
     EXPECT_EQ(program::run({"check", mesh(), "--min-wall", "1"}).status, 2);
