@@ -146,7 +146,7 @@ private:
     //! To the middles of the sides of a cube, and to its corners.
     static const std::vector<Vec3>& directions()
     {
-        static const std::vector<Vec3> all = []
+        static const std::vector<Vec3> kAll = []
         {
             std::vector<Vec3> made;
             for (int x = -1; x <= 1; ++x)
@@ -156,7 +156,7 @@ private:
                             made.push_back(normalized(Vec3{1.0 * x, 1.0 * y, 1.0 * z}));
             return made;
         }();
-        return all;
+        return kAll;
     }
 
     [[nodiscard]] std::vector<SampleIndex> spread_voxels(std::uint32_t place, std::size_t count) const

@@ -43,6 +43,13 @@ Volume halved_ball()
     return make_volume({.size = size, .spacing = kUnit, .direction = {}, .origin = {}}, std::move(samples));
 }
 
+//! In samples of a grid with `nx` times `ny` in a slice.
+std::size_t sample_at(int i, int j, int k, std::size_t nx, std::size_t ny)
+{
+    const auto at = [](int index) { return static_cast<std::size_t>(index); };
+    return at(i) + nx * (at(j) + ny * at(k));
+}
+
 std::vector<std::uint32_t> all_labels(const LabelSurvey& survey)
 {
     std::vector<std::uint32_t> places(survey.labels().size());
@@ -208,7 +215,7 @@ Volume pierced_block()
                                   {13, 6, 6},
                                   {15, 9, 8},
                                   {14, 8, 8}})
-        samples[static_cast<std::size_t>(i + 18 * (j + 14 * k))] = 0;
+        samples[sample_at(i, j, k, 18, 14)] = 0;
     return make_volume({.size = size, .spacing = kUnit, .direction = {}, .origin = {}}, std::move(samples));
 }
 
@@ -232,7 +239,7 @@ TEST(InterfaceMeshing, specks_within_a_label_keep_their_volume)
         for (int j = 0; j < 14; ++j)
             for (int i = 0; i < 14; ++i)
                 samples.push_back(std::min({i, j, k}) >= 2 && std::max({i, j, k}) < 12 ? 1 : 0);
-    const auto at = [](int i, int j, int k) { return static_cast<std::size_t>(i + 14 * (j + 14 * k)); };
+    const auto at = [](int i, int j, int k) { return sample_at(i, j, k, 14, 14); };
     samples[at(4, 4, 4)] = 2;
     samples[at(8, 5, 5)] = samples[at(9, 5, 5)] = 3;
     samples[at(5, 9, 8)] = samples[at(6, 9, 8)] = samples[at(6, 8, 8)] = 4;
@@ -307,7 +314,7 @@ Volume block_with_guests()
                 const int rim = std::min({i, j, k, 15 - i, 15 - j, 15 - k});
                 samples.push_back(rim >= 4 ? 1 : rim >= 1 ? 2 : 0);
             }
-    const auto at = [](int i, int j, int k) { return static_cast<std::size_t>(i + 16 * (j + 16 * k)); };
+    const auto at = [](int i, int j, int k) { return sample_at(i, j, k, 16, 16); };
     samples[at(8, 8, 8)] = 2;
     // Dents, whose bottoms are outside, and voxels that touch these.
     samples[at(4, 6, 6)] = 2;
@@ -341,6 +348,7 @@ TEST(SmallParts, that_touch_what_stands_for_the_same_may_not_grow)
     const CavityLabels apart = label_cavities_apart(survey, all_labels(survey));
     const std::vector<std::uint32_t> alone = small_parts_alone(apart);
     std::vector<SampleIndex> first_voxels;
+    first_voxels.reserve(alone.size());
     for (const std::uint32_t part : alone)
         first_voxels.push_back(apart.survey.parts()[part].first_voxel);
     EXPECT_EQ(std::count(first_voxels.begin(), first_voxels.end(), SampleIndex{8, 8, 8}), 1);
@@ -358,8 +366,8 @@ TEST(SmallParts, that_touch_what_stands_for_the_same_may_not_grow)
 
 TEST(LabelPartition, parts_have_the_volume_of_their_voxels_once_they_are_balanced)
 {
-    std::vector<std::uint8_t> samples(16 * 16 * 16, 1);
-    const auto at = [](int i, int j, int k) { return static_cast<std::size_t>(i + 16 * (j + 16 * k)); };
+    std::vector<std::uint8_t> samples(std::size_t{16} * 16 * 16, 1);
+    const auto at = [](int i, int j, int k) { return sample_at(i, j, k, 16, 16); };
     samples[at(4, 4, 4)] = 2;
     samples[at(10, 10, 4)] = samples[at(11, 11, 4)] = samples[at(12, 11, 5)] = 3;
     for (int i = 4; i < 10; ++i)
