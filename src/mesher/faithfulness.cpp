@@ -11,8 +11,9 @@ namespace voroprobe
 namespace
 {
 
-//! How far from the middle of a neck its surface is looked for: a voxel, at the default floor.
-constexpr double kReachOfNeckInFloors = 4.0;
+//! How far from the middle of a neck its surface is looked for: a voxel, where the spacing is the default
+//! floor.
+constexpr double kReachOfNeckInSpacings = 4.0;
 
 constexpr std::array<Vec3, 6> kAxes{{{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
 
@@ -139,8 +140,7 @@ std::size_t seed_surfaces(std::span<const SurfaceId> surfaces, std::size_t point
     return inserted;
 }
 
-std::vector<Point3> points_around(std::span<const Neck> necks, double floor_radius,
-                                  const SurfaceOracle& oracle)
+std::vector<Point3> points_around(std::span<const Neck> necks, double spacing, const SurfaceOracle& oracle)
 {
     std::vector<Point3> points;
     std::vector<Crossing> crossings;
@@ -148,7 +148,7 @@ std::vector<Point3> points_around(std::span<const Neck> necks, double floor_radi
     {
         for (const Vec3& direction : kAxes)
         {
-            const Vec3 ray = kReachOfNeckInFloors * floor_radius * direction;
+            const Vec3 ray = kReachOfNeckInSpacings * spacing * direction;
             oracle.find_crossings({neck.middle, neck.middle + ray}, crossings);
             if (!crossings.empty())
                 points.push_back(crossings.front().point);
@@ -157,14 +157,14 @@ std::vector<Point3> points_around(std::span<const Neck> necks, double floor_radi
     return points;
 }
 
-std::size_t seed_points(std::span<const Point3> points, double floor_radius,
-                        const RestrictedDelaunay& restricted, Refinement& refinement)
+std::size_t seed_points(std::span<const Point3> points, double spacing, const RestrictedDelaunay& restricted,
+                        Refinement& refinement)
 {
     std::size_t inserted = 0;
     VertexHandle last = restricted.triangulation().finite_vertices_begin();
     for (const Point3& p : points)
     {
-        if (!restricted.is_apart(p, floor_radius, last))
+        if (!restricted.is_apart(p, spacing, last))
             continue;
         last = refinement.insert(p, VertexOrigin::kRefinement, last);
         ++inserted;

@@ -29,13 +29,12 @@ enum class Seeds
 std::size_t seed_surfaces(std::span<const SurfaceId> surfaces, std::size_t points, Seeds seeds,
                           const SurfaceOracle& oracle, Refinement& refinement);
 
-//! Points of the surface around the middle of each neck: where the axes through it meet the surface next to
-//! it.
-std::vector<Point3> points_around(std::span<const Neck> necks, double floor_radius,
-                                  const SurfaceOracle& oracle);
+//! Points of the surface around the middle of each neck: where the axes through it meet the surface, within
+//! four spacings.
+std::vector<Point3> points_around(std::span<const Neck> necks, double spacing, const SurfaceOracle& oracle);
 
-//! Inserts the points, but none nearer to a vertex than the floor. Returns the number of points inserted.
-std::size_t seed_points(std::span<const Point3> points, double floor_radius,
-                        const RestrictedDelaunay& restricted, Refinement& refinement);
+//! Inserts the points, but none nearer to a vertex than the spacing. Returns the number of points inserted.
+std::size_t seed_points(std::span<const Point3> points, double spacing, const RestrictedDelaunay& restricted,
+                        Refinement& refinement);
 
 } // namespace voroprobe

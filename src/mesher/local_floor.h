@@ -35,8 +35,8 @@ public:
     //! below 2^-round. False where nothing changed.
     bool lower(const Point3& p, int round);
 
-    //! Rounds of lowering that have an effect.
-    static constexpr int kRounds = 2;
+    //! Rounds of lowering that have an effect, at most.
+    static constexpr int kRounds = 4;
 
 private:
     static constexpr double kCubeInFloors = 4.0;

@@ -34,9 +34,10 @@ namespace
 // Points given to a surface without facets, the first time; four times as many each time after.
 constexpr std::size_t kSeedsPerSurface = 8;
 constexpr int kInventoryRounds = 6;
-// Of points at necks and in gaps, and of points on parts of surfaces that the mesh does not come to.
-constexpr int kFlawRounds = 2;
-constexpr int kCoverageRounds = 4;
+constexpr int kInventoryFloorRounds = 2; // that lower the floor
+// Of points at necks, and of those in gaps and on parts of surfaces that the mesh does not come to.
+constexpr int kNeckRounds = 2;
+constexpr int kFlawRounds = 4;
 constexpr double kLeastSpacingInFloors = 2.0;
 
 class SeededMesher
@@ -187,26 +188,29 @@ private:
         // Along a crease of the interpolant there are the more of them the closer one looks.
         const bool helps = round == 1 || places.size() < unfaithful_places_;
         unfaithful_places_ = places.size();
-        return (helps && refinement_.lower_floor(places, round)) || seeds > 0;
+        return (helps && refinement_.lower_floor(places, std::min(round, kInventoryFloorRounds))) ||
+               seeds > 0;
     }
 
     //! Gives points to parts of surfaces that the mesh does not come to, and to the necks of the scan that
-    //! labels alone could not put right; lowers the floor there, if that is not the first time, and
-    //! where a region is in pieces; and refines. False where there is no such place; else the regions are
-    //! unsettled.
+    //! labels alone could not put right, half as far apart in each round: a region as thin as a hair holds
+    //! together where its two sides have points as close. Lowers the floor there, if that is not the first
+    //! time, and where a region is in pieces; and refines. False where there is no such place; else the
+    //! regions are unsettled.
     bool pursue_flaws(int round)
     {
-        if (!may_pursue_inventory() || round > kCoverageRounds || !flaws_yield_)
+        if (!may_pursue_inventory() || round > kFlawRounds || !flaws_yield_)
             return false;
         find_uncovered(round);
         std::vector<Point3> points;
         for (const SurfacePoint& at : uncovered_)
             points.push_back(at.point);
-        const bool has_gaps = round <= kFlawRounds && settlement_.pieces_left_apart() > 0;
-        if (round <= kFlawRounds)
+        const double spacing = std::ldexp(options_.floor_radius, 1 - round);
+        const bool has_gaps = settlement_.pieces_left_apart() > 0;
+        if (round <= kNeckRounds || has_gaps)
         {
             const std::vector<Point3> at_necks =
-                points_around(settlement_.necks_to_refine(), options_.floor_radius, oracle_);
+                points_around(settlement_.necks_to_refine(), spacing, oracle_);
             points.insert(points.end(), at_necks.begin(), at_necks.end());
         }
         if (points.empty() && !has_gaps)
@@ -215,7 +219,7 @@ private:
         std::vector<Point3> places;
         if (has_gaps)
             places = settlement_.find_gaps();
-        const std::size_t seeds = seed_points(points, options_.floor_radius, restricted_, refinement_);
+        const std::size_t seeds = seed_points(points, spacing, restricted_, refinement_);
         if (round > 1 || seeds == 0)
             places.insert(places.end(), points.begin(), points.end());
         flaws_yield_ = refinement_.lower_floor(places, round) || seeds > 0;

@@ -65,6 +65,9 @@ TEST(CertifiedVolumesOnceFailed, lose_no_surface_and_gain_none)
 {
     expect_certified(VolumeKind::kShells, 10, 10, kLargestSideNightly);
     expect_certified(VolumeKind::kShells, 13, 13, kLargestSideNightly);
+    expect_certified(VolumeKind::kShells, 231, 231, kLargestSideNightly);
+    expect_certified(VolumeKind::kShells, 526, 526, kLargestSideNightly);
+    expect_certified(VolumeKind::kThroughBorder, 192, 192, kLargestSideNightly);
     expect_certified(VolumeKind::kSpecks, 453, 453, kLargestSideNightly);
     expect_certified(VolumeKind::kSpecks, 518, 518, kLargestSideNightly);
 }
