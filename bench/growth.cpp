@@ -28,7 +28,7 @@ struct Options
 {
     std::string volume; //!< empty: the default one
     std::optional<double> isovalue;
-    std::vector<double> sizes{12.0, 5.0, 2.0, 1.0, 0.55, 0.35};
+    std::vector<double> sizes{30.0, 10.0, 4.0, 2.0, 1.0, 0.55, 0.28};
     double distance_per_size = 0.15;
     std::vector<std::size_t> surfaces{10, 100, 1000, 10000};
 };

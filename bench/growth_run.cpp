@@ -1,5 +1,6 @@
 #include "bench/growth_run.h"
 
+#include <algorithm>
 #include <optional>
 
 #include <malloc.h>
@@ -22,11 +23,12 @@ MeshingResult mesh(const GrowthTask& task)
     std::shared_ptr<const Inventory> inventory;
     if (task.part == Part::kWhole)
         inventory = std::make_shared<const Inventory>(*make_height_field(levelled), 1);
+    constexpr double kFloorPerSize = 0.12; // else the floor alone would make coarse meshes fine
     const double voxel = task.volume->geometry.min_spacing();
     return mesh_surface(*make_trilinear_oracle(levelled, inventory),
                         {.max_facet_radius = task.size,
                          .max_facet_distance = task.distance,
-                         .floor_radius = 0.25 * voxel,
+                         .floor_radius = std::max(0.25 * voxel, kFloorPerSize * task.size),
                          .reach_lower_bound = voxel,
                          .seeding = task.part == Part::kWhole ? Seeding::kInventory : Seeding::kIsolated});
 }
