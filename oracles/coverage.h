@@ -23,4 +23,11 @@ std::vector<SurfacePoint> find_uncovered_points(const SurfaceOracle& oracle,
                                                 std::span<const SurfacePoint> vertices, double radius,
                                                 double spacing, std::size_t threads);
 
+//! The same among points that are not much farther than `radius` from one of the places on the same surface:
+//! from those that are not covered themselves.
+std::vector<SurfacePoint> find_uncovered_points_near(std::vector<SurfacePoint> places,
+                                                     const SurfaceOracle& oracle,
+                                                     std::span<const SurfacePoint> vertices, double radius,
+                                                     double spacing, std::size_t threads);
+
 } // namespace voroprobe

@@ -53,6 +53,10 @@ void add_label_options(CLI::App& command, LabelArguments& arguments)
     group.text("--smooth", "none|gaussian:SIGMA|antialias|joint",
                "How the staircase of voxels is smoothed; SIGMA in mm (default\ngaussian: SIGMA 1 m)",
                [&arguments](const std::string& given) { arguments.smoothing = parse_smoothing(given); });
+    group.text("--max-labels", "N",
+               "Refuse more labels than that (default 10000; 100 where the image\nlooks like a scan)",
+               [&arguments](const std::string& given)
+               { arguments.most_labels = parse_count("--max-labels", given, 1); });
 }
 
 void add_label_mesh_options(CLI::App& command, LabelArguments& arguments)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -21,6 +22,8 @@ struct LabelArguments
     std::optional<std::string> exclude = std::nullopt;      //!< likewise
     std::optional<LabelSmoothing> smoothing = std::nullopt; //!< sigma 0 where none was given
     std::optional<std::filesystem::path> names = std::nullopt;
+
+    std::optional<std::size_t> most_labels = std::nullopt; //!< unset: by what the image looks like
 
     bool shared_interfaces = false; //!< smoothing is joint then
 

@@ -21,6 +21,11 @@ namespace
 
 constexpr double kDefaultSigmaInMeanSides = 1.0;
 
+//! Atlases and cell segmentations have up to thousands.
+constexpr std::size_t kMostLabels = 10'000;
+
+constexpr std::size_t kMostLabelsOfScan = 100;
+
 void refuse_with_labels(bool given, const std::string& option)
 {
     if (given)
@@ -127,6 +132,23 @@ LabelSurvey survey_of(const Volume& volume, const std::filesystem::path& path)
     }
 }
 
+//! \throw UsageError where there are more labels than anybody is likely to want, before they take hours.
+void check_count(const MeshArguments& arguments, const LabelMap& map, std::size_t labels)
+{
+    const std::size_t most =
+        arguments.label_map.most_labels.value_or(map.looks_like_scan ? kMostLabelsOfScan : kMostLabels);
+    if (labels <= most)
+        return;
+    const std::string look = map.looks_like_scan
+                                 ? ", where neighbours are seldom equal: this looks like a gray-level scan, "
+                                   "not a label map (--isovalue meshes a scan)"
+                                 : "";
+    throw UsageError("--labels asks for " + count_text(labels) + " labels of '" + arguments.input.string() +
+                     "'" + look + "; allowed: " + count_text(most) +
+                     " labels, fewer chosen by --labels and --exclude, or --max-labels " +
+                     std::to_string(labels) + " to mesh them all the same");
+}
+
 } // namespace
 
 void check_label_arguments(const MeshArguments& arguments)
@@ -137,7 +159,8 @@ void check_label_arguments(const MeshArguments& arguments)
         for (const auto& [given, option] : {std::pair{labels.exclude.has_value(), "--exclude"},
                                             {labels.shared_interfaces, "--shared-interfaces"},
                                             {labels.smoothing.has_value(), "--smooth"},
-                                            {labels.names.has_value(), "--names"}})
+                                            {labels.names.has_value(), "--names"},
+                                            {labels.most_labels.has_value(), "--max-labels"}})
             if (given)
                 throw UsageError(std::string(option) + " goes with --labels only");
         return;
@@ -184,10 +207,7 @@ LabelMap read_label_map(const MeshArguments& arguments)
         map.format = std::move(read.format);
         map.stored_type = std::move(read.stored_type);
         map.warnings = std::move(read.warnings);
-        if (const std::size_t labels = map.label_count(); looks_like_scan(read.volume, labels))
-            map.warnings.push_back("neighbours are seldom equal and there are " + count_text(labels) +
-                                   " different values: this looks like a scan, not a label map (--isovalue "
-                                   "meshes a scan)");
+        map.looks_like_scan = looks_like_scan(read.volume, map.label_count());
     }
     for (std::string& warning : empty_segment_warnings(map))
         map.warnings.push_back(std::move(warning));
@@ -225,6 +245,7 @@ std::vector<LabelOutcome> chosen_labels(const MeshArguments& arguments, const La
             names.name(outcome);
             chosen.push_back(std::move(outcome));
         }
+    check_count(arguments, map, chosen.size());
     if (chosen.empty())
         throw UsageError("--exclude leaves none of the labels; there are: " + labels_text(there));
     return chosen;

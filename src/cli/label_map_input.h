@@ -16,7 +16,7 @@ void check_label_arguments(const MeshArguments& arguments);
 LabelMap read_label_map(const MeshArguments& arguments);
 
 //! The labels asked for, with their names, in ascending order. \throw UsageError where one is not there, with
-//! those that are; InputError as read_label_table.
+//! those that are, or where there are more than allowed; InputError as read_label_table.
 std::vector<LabelOutcome> chosen_labels(const MeshArguments& arguments, const LabelMap& map);
 
 //! What labels are to satisfy; `threads` share the memory there is.

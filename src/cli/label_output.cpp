@@ -51,14 +51,9 @@ void LabelOutput::prepare() const
     std::set<fs::path> folders;
     for (const LabelOutcome& label : labels_)
     {
-        const fs::path folder = label.path.parent_path();
-        if (!folders.insert(folder).second)
+        if (!folders.insert(label.path.parent_path()).second)
             continue;
-        std::error_code error;
-        if (!folder.empty() && !fs::exists(folder))
-            fs::create_directories(folder, error);
-        if (error)
-            throw OutputError("cannot make the folder '" + folder.string() + "': " + error.message());
+        make_folder_of(label.path);
         check_writable(label.path);
     }
 }

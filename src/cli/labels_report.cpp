@@ -32,6 +32,7 @@ struct Totals
     std::size_t parts_expected = 0;
     std::size_t parts_meshed = 0;
     std::size_t parts_restored = 0;
+    std::size_t parts_in_pieces = 0;
     std::size_t cavities_expected = 0;
     std::size_t cavities_meshed = 0;
     std::size_t incomplete = 0;
@@ -54,6 +55,7 @@ Totals totals_of(const LabelsRun& run)
         sum.parts_expected += label.parts_expected;
         sum.parts_meshed += label.mesh.parts_meshed;
         sum.parts_restored += label.mesh.parts_restored;
+        sum.parts_in_pieces += label.mesh.parts_in_pieces;
         sum.cavities_expected += label.mesh.cavities_expected;
         sum.cavities_meshed += label.mesh.cavities_meshed;
         sum.incomplete += label.mesh.complete() ? 0 : 1;
@@ -95,12 +97,23 @@ std::string change_text(double change)
     return text.str();
 }
 
+//! Meshes made jointly may lack some.
+bool has_all_cavities(const LabelOutcome& label)
+{
+    return label.mesh.cavities_meshed >= label.mesh.cavities_expected;
+}
+
 std::string status_text(const LabelOutcome& label)
 {
     if (!label.mesh.faults.empty())
         return count_text(label.mesh.faults.size()) + " of " + count_text(label.parts_expected) +
                " parts not whole";
-    return label.mesh.broken_promises.empty() ? "whole" : label.mesh.broken_promises.front();
+    if (!label.mesh.broken_promises.empty())
+        return label.mesh.broken_promises.front();
+    if (has_all_cavities(label))
+        return "whole";
+    return "whole, " + count_text(label.mesh.cavities_expected - label.mesh.cavities_meshed) + " of " +
+           count_text(label.mesh.cavities_expected) + " cavities open";
 }
 
 using Row = std::array<std::string, 8>;
@@ -148,7 +161,7 @@ std::vector<const LabelOutcome*> shown_labels(const LabelsRun& run)
                      [](const LabelOutcome* a, const LabelOutcome* b) { return a->voxels > b->voxels; });
     std::vector<const LabelOutcome*> shown;
     for (const LabelOutcome* label : by_size)
-        if (shown.size() < kMostRows || !label->mesh.complete())
+        if (shown.size() < kMostRows || !label->mesh.complete() || !has_all_cavities(*label))
             shown.push_back(label);
     std::sort(shown.begin(), shown.end(),
               [](const LabelOutcome* a, const LabelOutcome* b) { return a->value < b->value; });
@@ -187,6 +200,7 @@ Json label_json(const LabelOutcome& label)
             {"parts_expected", label.parts_expected},
             {"parts_meshed", label.mesh.parts_meshed},
             {"parts_restored", label.mesh.parts_restored},
+            {"parts_in_pieces", label.mesh.parts_in_pieces},
             {"part_faults", faults},
             {"broken_promises", label.mesh.broken_promises},
             {"cavities_expected", label.mesh.cavities_expected},
@@ -199,6 +213,14 @@ Json label_json(const LabelOutcome& label)
             {"faces", label.faces},
             {"touching_edges", label.mesh.touching_edges},
             {"faces_below_angle_bound", label.mesh.faces_below_angle}};
+}
+
+std::string pieces_text(const Totals& sum)
+{
+    if (sum.parts_in_pieces == 0)
+        return {};
+    return "; " + count_text(sum.parts_in_pieces) +
+           " in several pieces, where voxels hang together at edges and corners only";
 }
 
 Json parameters_json(const LabelsRun& run)
@@ -237,7 +259,8 @@ std::string labels_report(const LabelsRun& run)
                                    " not as promised") +
            info_line("parts", count_text(sum.parts_expected) + " in the label map (26 neighbours), " +
                                   count_text(sum.parts_meshed) + " meshed, " +
-                                  count_text(sum.parts_restored) + " of them kept from being smoothed away") +
+                                  count_text(sum.parts_restored) + " of them kept from being smoothed away" +
+                                  pieces_text(sum)) +
            info_line("cavities", count_text(sum.cavities_expected) + " in the label map, " +
                                      count_text(sum.cavities_meshed) + " meshed") +
            info_line("volume", number_text(sum.voxel_volume) + " mm3 of voxels, " +
@@ -282,6 +305,7 @@ std::string labels_summary_json(const LabelsRun& run)
           {"parts_expected", sum.parts_expected},
           {"parts_meshed", sum.parts_meshed},
           {"parts_restored", sum.parts_restored},
+          {"parts_in_pieces", sum.parts_in_pieces},
           {"cavities_expected", sum.cavities_expected},
           {"cavities_meshed", sum.cavities_meshed},
           {"voxel_volume_mm3", sum.voxel_volume},

@@ -46,6 +46,7 @@ struct LabelMap
     FileLattice lattice;
     std::string format;
     std::string stored_type;
+    bool looks_like_scan = false;
     std::vector<std::string> warnings;
 
     [[nodiscard]] std::size_t label_count() const;

@@ -11,6 +11,7 @@
 #include "certificate/mesh_samples.h"
 #include "certificate/surface_selection.h"
 #include "cli/process_steps.h"
+#include "cli/surface_dropping.h"
 #include "support/error.h"
 #include "support/stopwatch.h"
 
@@ -35,30 +36,6 @@ double relaxation_bound(const MeshRun& run, double edge)
                     run.arguments.finish.max_distance.value_or(edge));
 }
 
-void drop(const std::vector<DroppedSurface>& dropped, std::size_t surface_count, MeshingResult& result)
-{
-    std::vector<bool> is_dropped(surface_count, false);
-    for (const DroppedSurface& surface : dropped)
-        is_dropped[static_cast<std::size_t>(surface.id)] = true;
-    std::vector<bool> kept;
-    std::vector<SurfaceId> surface_of_face;
-    for (const SurfaceId surface : result.surface_of_face)
-    {
-        kept.push_back(surface == kNoSurface || !is_dropped[static_cast<std::size_t>(surface)]);
-        if (kept.back())
-            surface_of_face.push_back(surface);
-    }
-    result.mesh = with_faces(result.mesh, kept);
-    result.surface_of_face = std::move(surface_of_face);
-    std::erase_if(
-        result.pieces, [&](const FoundPiece& piece)
-        { return piece.surface != kNoSurface && is_dropped[static_cast<std::size_t>(piece.surface)]; });
-    if (result.mesh.faces.empty())
-        throw EmptySurfaceError("all " + std::to_string(surface_count) +
-                                " surfaces of the scan are left out by --min-component-volume, "
-                                "--keep-largest or --drop-cavities; nothing was written");
-}
-
 } // namespace
 
 void check_selection(const MeshArguments& arguments, const SurfaceInput& input)
@@ -78,7 +55,12 @@ std::vector<DroppedSurface> drop_unwanted(MeshRun& run, MeshingResult& result)
         surfaces_to_drop(input.inventory->surfaces(), voxel_volume(input), run.arguments.selection);
     if (!dropped.empty())
     {
-        drop(dropped, input.inventory->surfaces().size(), result);
+        const std::size_t count = input.inventory->surfaces().size();
+        drop_surfaces(dropped, count, result);
+        if (result.mesh.faces.empty())
+            throw EmptySurfaceError("all " + std::to_string(count) +
+                                    " surfaces of the scan are left out by --min-component-volume, "
+                                    "--keep-largest or --drop-cavities; nothing was written");
         count_found_pieces(result.pieces, run.statistics);
     }
     return dropped;

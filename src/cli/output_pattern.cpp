@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <system_error>
 
 #include "support/error.h"
 
@@ -22,7 +23,7 @@ std::string for_file_name(const std::string& name)
     for (const char c : name)
         fit += static_cast<unsigned char>(c) < ' ' || kForbidden.find(c) != std::string_view::npos ? '_' : c;
     if (fit.empty() || fit.front() == '.')
-        fit.insert(0, "_");
+        fit.insert(fit.begin(), '_');
     return fit;
 }
 
@@ -75,6 +76,16 @@ std::vector<std::filesystem::path> expand_pattern(const std::filesystem::path& p
         paths.emplace_back(path);
     }
     return paths;
+}
+
+void make_folder_of(const std::filesystem::path& path)
+{
+    const std::filesystem::path folder = path.parent_path();
+    std::error_code error;
+    if (!folder.empty() && !std::filesystem::exists(folder))
+        std::filesystem::create_directories(folder, error);
+    if (error)
+        throw OutputError("cannot make the folder '" + folder.string() + "': " + error.message());
 }
 
 } // namespace voroprobe

@@ -23,4 +23,8 @@ bool is_output_pattern(const std::filesystem::path& path);
 std::vector<std::filesystem::path> expand_pattern(const std::filesystem::path& pattern,
                                                   std::span<const PatternValues> values);
 
+//! Makes the folder that a path of a pattern lies in, where it is missing. \throw OutputError with the
+//! reason.
+void make_folder_of(const std::filesystem::path& path);
+
 } // namespace voroprobe

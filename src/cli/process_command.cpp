@@ -10,6 +10,7 @@
 #include "cli/interrupt.h"
 #include "cli/normals_argument.h"
 #include "cli/number_text.h"
+#include "cli/output_pattern.h"
 #include "cli/process_steps.h"
 #include "cli/process_summary.h"
 #include "cli/summary.h"
@@ -41,9 +42,14 @@ fs::path numbered(const fs::path& pattern, std::size_t number)
     return name;
 }
 
+bool has_number(const fs::path& pattern)
+{
+    return pattern.filename().string().find(kNumberInName) != std::string::npos;
+}
+
 bool writes_many(const ProcessArguments& arguments)
 {
-    return arguments.split && arguments.output.filename().string().find(kNumberInName) != std::string::npos;
+    return arguments.split && has_number(arguments.output);
 }
 
 //! Everything that can be refused before the mesh is read.
@@ -58,6 +64,9 @@ MeshFormat check_outputs(const ProcessArguments& arguments)
             "--split goes with a .3mf, which holds an object for every body, or with {n} in the name of "
             "the output; it is '" +
             arguments.output.string() + "'");
+    if (has_number(arguments.output) && !arguments.split)
+        throw UsageError("--output is '" + arguments.output.string() +
+                         "', with {n}; allowed: only with --split");
     if (arguments.max_hole_rim && !arguments.repair)
         throw UsageError("--max-hole is " + number_text(*arguments.max_hole_rim) +
                          "; allowed: only with --repair");
@@ -65,7 +74,10 @@ MeshFormat check_outputs(const ProcessArguments& arguments)
         throw UsageError("OUT and MESH are both " + arguments.mesh.string() + "; allowed: two files");
     if ((arguments.hollow.drain || arguments.hollow.voxel) && !arguments.hollow.wall)
         throw UsageError("--drain and --voxel go with --hollow WALL only");
-    check_writable(writes_many(arguments) ? numbered(arguments.output, 1) : arguments.output);
+    const fs::path first = writes_many(arguments) ? numbered(arguments.output, 1) : arguments.output;
+    if (writes_many(arguments))
+        make_folder_of(first);
+    check_writable(first);
     if (arguments.summary)
     {
         if (is_same_file(*arguments.summary, arguments.mesh) ||

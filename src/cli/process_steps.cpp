@@ -7,8 +7,10 @@
 #include "certificate/certificate.h"
 #include "certificate/mesh_samples.h"
 #include "certificate/self_intersections.h"
+#include "certificate/surface_selection.h"
 #include "cli/info_text.h"
 #include "cli/number_text.h"
+#include "cli/surface_dropping.h"
 #include "mesher/seeded_mesher.h"
 #include "oracles/hollow_solid.h"
 #include "postprocess/decimation.h"
@@ -238,6 +240,15 @@ MeshingOptions hollow_meshing_options(double voxel, double typical_edge)
             .reach_lower_bound = voxel};
 }
 
+//! Surfaces of a hollowed solid enclose as much.
+constexpr std::size_t kLeastVoxels = 8;
+
+//! Specks below the grain of the level set: they come of where walls meet, and are no part of the mesh.
+std::vector<DroppedSurface> specks_among(const std::vector<ScanSurface>& surfaces)
+{
+    return surfaces_to_drop(surfaces, 1.0, {.min_enclosed_volume = kLeastVoxels});
+}
+
 TriangleMesh hollowed(const TriangleMesh& mesh, const HollowArguments& arguments, std::string& done)
 {
     constexpr double kVoxelsPerWall = 4.0;
@@ -246,8 +257,11 @@ TriangleMesh hollowed(const TriangleMesh& mesh, const HollowArguments& arguments
         mesh, {.wall = *arguments.wall, .drain_diameter = arguments.drain.value_or(0.0), .voxel = voxel});
     MeshingResult result =
         mesh_surface(*solid.oracle, hollow_meshing_options(voxel, typical_edge_length(mesh)));
+    const std::vector<ScanSurface>& surfaces = solid.inventory->surfaces();
+    const std::vector<DroppedSurface> specks = specks_among(surfaces);
+    drop_surfaces(specks, surfaces.size(), result);
     const Certificate certificate =
-        certify(result.mesh, *solid.oracle, solid.inventory->surfaces(), {.reach = 2.0 * voxel},
+        certify(result.mesh, *solid.oracle, surfaces, {.reach = 2.0 * voxel, .dropped = specks},
                 std::span<const SurfaceId>(result.surface_of_face));
     if (const auto broken = broken_promise(certificate))
         throw Error(ExitStatus::kIncomplete, "step 'hollow' would leave a mesh with " + *broken +
@@ -255,6 +269,9 @@ TriangleMesh hollowed(const TriangleMesh& mesh, const HollowArguments& arguments
     done = plural(solid.hollows, "hollow", "hollows") + " inside a wall of " + number_text(*arguments.wall) +
            " mm, " + plural(solid.drains.size(), "drain", "drains") + "; meshed anew from voxels of " +
            number_text(voxel) + " mm";
+    if (!specks.empty())
+        done += "; " + plural(specks.size(), "speck", "specks") + " of less than " +
+                count_text(kLeastVoxels) + " voxels left out";
     for (const Point3& drain : solid.drains)
         done += (drain == solid.drains.front() ? "; drained from (" : ", (") + triple_text(drain, ", ") + ")";
     return std::move(result.mesh);
@@ -372,8 +389,11 @@ TriangleMesh finish(TriangleMesh mesh, const FinishArguments& arguments, const s
         steps.run_on_shape("smooth", arguments.max_distance,
                            [&](const TriangleMesh& before, std::string& done)
                            {
-                               done = plural(arguments.smooth, "round", "rounds");
-                               return smoothed(before, arguments.smooth);
+                               SmoothingResult result = smooth(before, arguments.smooth);
+                               done = plural(arguments.smooth, "round", "rounds") + ", " +
+                                      plural(result.vertices_held, "vertex", "vertices") +
+                                      " held back where faces would have crossed";
+                               return std::move(result.mesh);
                            });
     if (arguments.decimates())
         steps.run_on_shape("decimate", arguments.max_distance,

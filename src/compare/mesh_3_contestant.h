@@ -51,7 +51,8 @@ private:
 };
 
 //! `Concurrency`: CGAL::Sequential_tag or CGAL::Parallel_tag.
-template <typename Concurrency> class Mesh3 final : public Contestant
+template <typename Concurrency>
+class Mesh3 final : public Contestant
 {
 public:
     using Domain = CGAL::Labeled_mesh_domain_3<CGAL::Exact_predicates_inexact_constructions_kernel>;

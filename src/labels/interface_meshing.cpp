@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "labels/label_delaunay.h"
@@ -47,15 +49,13 @@ Point3 circumcenter(const std::array<Point3, 3>& corner)
 class InterfaceMesher
 {
 public:
-    InterfaceMesher(const LabelSurvey& survey, std::span<const std::uint32_t> labels, const Vec3& spacing,
+    InterfaceMesher(const LabelSurvey& survey, const CavityLabels& apart, const Vec3& spacing,
                     const LabelPartition& partition, const MeshingOptions& criteria, ProgressSink* progress)
-        : survey_(survey), spacing_(spacing), partition_(partition), criteria_(criteria), progress_(progress),
-          pieces_(delaunay_, survey, spacing)
+        : map_(survey), apart_(apart), survey_(apart.survey), spacing_(spacing), partition_(partition),
+          criteria_(criteria), progress_(progress), pieces_(delaunay_, survey_, spacing),
+          parts_(survey_.parts().size())
     {
-        for (const std::uint32_t label : labels)
-            parts_.insert(parts_.end(), survey.labels()[label].parts.begin(),
-                          survey.labels()[label].parts.end());
-        std::sort(parts_.begin(), parts_.end());
+        std::iota(parts_.begin(), parts_.end(), 0);
     }
 
     InterfaceMesh run()
@@ -75,10 +75,8 @@ public:
         InterfaceMesh mesh;
         mesh.crumbs_dissolved = pieces_.dissolve_crumbs();
         mesh.status = stopped_.value_or(MeshingStatus::kDone);
-        LabelPieces::Faults faults = pieces_.faults(parts_);
-        mesh.missing_parts = std::move(faults.missing);
-        mesh.merged_parts = std::move(faults.merged);
         extract(mesh);
+        hold_against_map(mesh);
         return mesh;
     }
 
@@ -131,16 +129,24 @@ private:
             for (const Vec3& direction : directions())
             {
                 partition_.find_changes({center, center + reach * direction}, changes);
-                if (!changes.empty())
+                if (!changes.empty() && !has_vertex_at(changes.front().point))
                     insert(changes.front().point);
             }
         }
     }
 
+    //! Lines from both sides of an interface find the same point, but for rounding.
+    [[nodiscard]] bool has_vertex_at(const Point3& p) const
+    {
+        constexpr double kSameInFloors = 0.01;
+        const LabelVertex nearest = delaunay_.nearest_vertex(to_cgal(p), last_cell_);
+        return distance(from_cgal(nearest->point()), p) < kSameInFloors * criteria_.floor_radius;
+    }
+
     //! To the middles of the sides of a cube, and to its corners.
     static const std::vector<Vec3>& directions()
     {
-        static const std::vector<Vec3> all = []
+        static const std::vector<Vec3> kAll = []
         {
             std::vector<Vec3> made;
             for (int x = -1; x <= 1; ++x)
@@ -150,7 +156,7 @@ private:
                             made.push_back(normalized(Vec3{1.0 * x, 1.0 * y, 1.0 * z}));
             return made;
         }();
-        return all;
+        return kAll;
     }
 
     [[nodiscard]] std::vector<SampleIndex> spread_voxels(std::uint32_t place, std::size_t count) const
@@ -288,15 +294,54 @@ private:
                   [](const InterfaceFace& a, const InterfaceFace& b) { return a.vertices < b.vertices; });
     }
 
-    const LabelSurvey& survey_;
+    void hold_against_map(InterfaceMesh& mesh)
+    {
+        std::set<std::uint32_t> missing;
+        for (const std::uint32_t part : pieces_.faults(parts_).missing)
+            if (stands_for(part) != 0)
+                missing.insert(part_in_map(survey_.parts()[part].first_voxel));
+        mesh.cavities = pieces_.count_cavities(apart_);
+
+        // From here on by the labels of the label map.
+        for (const LabelCell cell : delaunay_.all_cell_handles())
+            cell->info().label = apart_.stands_for[cell->info().label];
+        std::set<std::uint32_t> parts_of_map;
+        for (const std::uint32_t part : parts_)
+            if (stands_for(part) != 0)
+                parts_of_map.insert(part_in_map(survey_.parts()[part].first_voxel));
+        LabelPieces pieces(delaunay_, map_, spacing_);
+        LabelPieces::Faults faults =
+            pieces.faults(std::vector<std::uint32_t>(parts_of_map.begin(), parts_of_map.end()));
+        mesh.missing_parts.assign(missing.begin(), missing.end());
+        mesh.merged_parts = std::move(faults.merged);
+        mesh.parts_in_pieces = std::move(faults.in_pieces);
+    }
+
+    //! A part of survey_.
+    [[nodiscard]] PartitionLabel stands_for(std::uint32_t part) const
+    {
+        return apart_.stands_for[survey_.parts()[part].label + 1];
+    }
+
+    //! \pre there is one.
+    [[nodiscard]] std::uint32_t part_in_map(const SampleIndex& voxel) const
+    {
+        const auto row = map_.row(voxel[1], voxel[2]);
+        return std::find_if(row.begin(), row.end(), [&](const LabelRun& run) { return voxel[0] < run.end; })
+            ->part;
+    }
+
+    const LabelSurvey& map_;
+    const CavityLabels& apart_;
+    const LabelSurvey& survey_; //!< of apart_
     Vec3 spacing_;
     const LabelPartition& partition_;
     const MeshingOptions& criteria_;
     ProgressSink* progress_;
-    std::vector<std::uint32_t> parts_; //!< of the labels asked for
 
     LabelDelaunay delaunay_;
     LabelPieces pieces_;
+    std::vector<std::uint32_t> parts_; //!< all of survey_
     LabelCell last_cell_;
     std::uint32_t vertex_count_ = 0; //!< without sentinels
     std::uint64_t stamps_ = 0;
@@ -309,11 +354,21 @@ private:
 
 } // namespace
 
-InterfaceMesh mesh_interfaces(const LabelSurvey& survey, std::span<const std::uint32_t> labels,
-                              const Vec3& spacing, const LabelPartition& partition,
-                              const MeshingOptions& criteria, ProgressSink* progress)
+InterfaceMesh mesh_interfaces(const LabelSurvey& survey, const CavityLabels& apart, const Vec3& spacing,
+                              const LabelPartition& partition, const MeshingOptions& criteria,
+                              ProgressSink* progress)
 {
-    return InterfaceMesher(survey, labels, spacing, partition, criteria, progress).run();
+    return InterfaceMesher(survey, apart, spacing, partition, criteria, progress).run();
+}
+
+void name_labels_of_map(InterfaceMesh& interfaces, const CavityLabels& apart)
+{
+    for (InterfaceFace& face : interfaces.faces)
+    {
+        face.front = apart.stands_for[face.front];
+        face.behind = apart.stands_for[face.behind];
+    }
+    std::erase_if(interfaces.faces, [](const InterfaceFace& face) { return face.front == face.behind; });
 }
 
 TriangleMesh mesh_of_label(const InterfaceMesh& interfaces, PartitionLabel label)

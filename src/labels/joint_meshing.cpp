@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "certificate/mesh_pieces.h"
-#include "labels/enclosed_background.h"
+#include "labels/cavity_labels.h"
 #include "labels/interface_fitting.h"
 #include "labels/interface_meshing.h"
 #include "labels/label_cavities.h"
 #include "labels/label_partition.h"
+#include "labels/small_parts.h"
 #include "mesh/measures.h"
 #include "mesh/topology.h"
 #include "support/error.h"
@@ -33,47 +33,36 @@ std::vector<double> voxel_volumes(const LabelSurvey& survey, const Vec3& spacing
     return volumes;
 }
 
-//! `parts`: of the label that was meshed, in the order of those of the label it stands for.
-void list_faults(const InterfaceMesh& interfaces, std::span<const std::uint32_t> parts,
-                 const SurveyedLabel& surveyed, LabelMesh& label)
+void list_faults(const InterfaceMesh& interfaces, const SurveyedLabel& surveyed, LabelMesh& label)
 {
-    const auto blame = [&](std::span<const std::uint32_t> faulty, const std::string& reason)
+    const auto is_among = [](std::span<const std::uint32_t> parts, std::uint32_t part)
+    { return std::binary_search(parts.begin(), parts.end(), part); };
+    for (const std::uint32_t part : surveyed.parts)
     {
-        for (std::size_t n = 0; n < parts.size(); ++n)
-            if (std::find(faulty.begin(), faulty.end(), parts[n]) != faulty.end())
-                label.faults.push_back({surveyed.parts[n], reason});
-    };
-    blame(interfaces.missing_parts, "too small for the triangulation: no Delaunay cell has it");
-    blame(interfaces.merged_parts, "joined with another part of the label");
+        if (is_among(interfaces.missing_parts, part))
+            label.faults.push_back(
+                {part, "too small for the triangulation: voxels of it have no Delaunay cell"});
+        else if (is_among(interfaces.merged_parts, part))
+            label.faults.push_back({part, "joined with another part of the label"});
+        label.parts_in_pieces += is_among(interfaces.parts_in_pieces, part) ? 1 : 0;
+    }
 }
 
-//! Pieces that wind inward: what encloses something else than the label.
-std::size_t count_inward(const TriangleMesh& mesh)
-{
-    const std::vector<MeshPiece> pieces = split_into_pieces(mesh).pieces;
-    return static_cast<std::size_t>(std::count_if(
-        pieces.begin(), pieces.end(), [](const MeshPiece& piece) { return piece.enclosed_volume < 0.0; }));
-}
-
-//! The label at `place`, which was meshed as the one at `place_meshed` of another survey.
-LabelMesh gather(const LabelSurvey& survey, std::uint32_t place, const LabelSurvey& survey_meshed,
-                 std::uint32_t place_meshed, const InterfaceMesh& interfaces, const Vec3& spacing,
-                 double min_angle_deg)
+LabelMesh gather(const LabelSurvey& survey, std::uint32_t place, const InterfaceMesh& interfaces,
+                 const Vec3& spacing, double min_angle_deg)
 {
     const SurveyedLabel& surveyed = survey.labels()[place];
-    LabelMesh label{.label = place,
-                    .mesh = mesh_of_label(interfaces, place_meshed + 1),
-                    .faults = {},
-                    .broken_promises = {}};
+    LabelMesh label{
+        .label = place, .mesh = mesh_of_label(interfaces, place + 1), .faults = {}, .broken_promises = {}};
     const MeshTopology topology = analyze_topology(label.mesh);
     if (topology.boundary_edges + topology.misoriented_edges > 0)
         label.broken_promises.push_back(
             std::to_string(topology.boundary_edges) + " edges on one face only, " +
             std::to_string(topology.misoriented_edges) + " whose faces wind against each other");
     label.touching_edges = topology.non_manifold_edges;
-    list_faults(interfaces, survey_meshed.labels()[place_meshed].parts, surveyed, label);
+    list_faults(interfaces, surveyed, label);
     label.cavities_expected = count_cavities(survey, place);
-    label.cavities_meshed = count_inward(label.mesh);
+    label.cavities_meshed = interfaces.cavities[place + 1];
     label.parts_meshed = surveyed.parts.size() - label.faults.size();
     label.voxel_volume = spacing.x * spacing.y * spacing.z * static_cast<double>(surveyed.voxels);
     label.mesh_volume = enclosed_volume(label.mesh);
@@ -87,21 +76,23 @@ void mesh_labels_jointly(const LabelSurvey& survey, std::span<const std::uint32_
                          const Vec3& spacing, const MeshingOptions& criteria, ProgressSink* progress,
                          const std::function<void(LabelMesh)>& done)
 {
-    const LabelSurvey meshed = with_enclosed_background(survey, labels);
-    std::vector<std::uint32_t> places(meshed.labels().size());
+    const CavityLabels apart = label_cavities_apart(survey, labels);
+    std::vector<std::uint32_t> places(apart.survey.labels().size());
     std::iota(places.begin(), places.end(), 0);
-    const LabelPartition partition(meshed, places, spacing);
-    InterfaceMesh interfaces = mesh_interfaces(meshed, places, spacing, partition, criteria, progress);
+    LabelPartition partition(apart.survey, places, spacing);
+    partition.balance(apart.survey, small_parts_alone(apart));
+    InterfaceMesh interfaces = mesh_interfaces(survey, apart, spacing, partition, criteria, progress);
     if (interfaces.status == MeshingStatus::kBudgetExhausted)
         throw Error(ExitStatus::kBudget, "the labels take more than " +
                                              count_text(criteria.max_vertices.value_or(0)) +
                                              " vertices at this size, distance and floor; none was meshed");
     if (interfaces.status != MeshingStatus::kDone)
         return;
-    fit_volumes(interfaces, voxel_volumes(meshed, spacing),
+    fit_volumes(interfaces, voxel_volumes(apart.survey, spacing),
                 {.max_shift = kLargestShiftInVoxels * std::min({spacing.x, spacing.y, spacing.z})});
-    for (std::uint32_t n = 0; n < labels.size(); ++n)
-        done(gather(survey, labels[n], meshed, n, interfaces, spacing, criteria.min_facet_angle_deg));
+    name_labels_of_map(interfaces, apart);
+    for (const std::uint32_t label : labels)
+        done(gather(survey, label, interfaces, spacing, criteria.min_facet_angle_deg));
 }
 
 } // namespace voroprobe

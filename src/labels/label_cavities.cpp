@@ -1,6 +1,7 @@
 #include "labels/label_cavities.h"
 
 #include <algorithm>
+#include <map>
 #include <vector>
 
 #include "support/union_find.h"
@@ -49,18 +50,19 @@ void join_rows(UnionFind& sets, const std::vector<Gap>& a, std::uint32_t first_a
 
 } // namespace
 
-std::size_t count_cavities(const LabelSurvey& survey, std::uint32_t place)
+std::vector<CavityRun> find_cavities(const LabelSurvey& survey, std::uint32_t place)
 {
     const SurveyedLabel& label = survey.labels()[place];
     const int rows = label.box.last[1] - label.box.first[1] + 3; // one beyond on either side
     const int slices = label.box.last[2] - label.box.first[2] + 3;
+    const auto j_of = [&](int row) { return label.box.first[1] - 1 + row; };
+    const auto k_of = [&](int slice) { return label.box.first[2] - 1 + slice; };
     std::vector<std::vector<Gap>> gaps;
     std::vector<std::uint32_t> first{0};
     for (int k = 0; k < slices; ++k)
         for (int j = 0; j < rows; ++j)
         {
-            gaps.push_back(gaps_in_row(survey, label, place,
-                                       {0, label.box.first[1] - 1 + j, label.box.first[2] - 1 + k}));
+            gaps.push_back(gaps_in_row(survey, label, place, {0, j_of(j), k_of(k)}));
             first.push_back(first.back() + static_cast<std::uint32_t>(gaps.back().size()));
         }
     UnionFind sets(first.back());
@@ -76,10 +78,24 @@ std::size_t count_cavities(const LabelSurvey& survey, std::uint32_t place)
             if (k > 0)
                 join(row - static_cast<std::size_t>(rows));
         }
-    std::size_t pieces = 0;
-    for (std::uint32_t gap = 0; gap < first.back(); ++gap)
-        pieces += sets.find(gap) == gap ? 1 : 0;
-    return pieces - 1; // the outside, which goes round the box
+    std::vector<CavityRun> runs;
+    std::map<std::uint32_t, std::uint32_t> cavity_of_set;
+    const std::uint32_t outside = sets.find(0); // goes round the box
+    for (std::size_t row = 0; row < gaps.size(); ++row)
+        for (std::uint32_t n = 0; n < gaps[row].size(); ++n)
+            if (const std::uint32_t set = sets.find(first[row] + n); set != outside)
+                runs.push_back({j_of(static_cast<int>(row) % rows), k_of(static_cast<int>(row) / rows),
+                                gaps[row][n].first, gaps[row][n].end,
+                                cavity_of_set.emplace(set, cavity_of_set.size()).first->second});
+    return runs;
+}
+
+std::size_t count_cavities(const LabelSurvey& survey, std::uint32_t label)
+{
+    const std::vector<CavityRun> runs = find_cavities(survey, label);
+    const auto last = std::max_element(
+        runs.begin(), runs.end(), [](const CavityRun& a, const CavityRun& b) { return a.cavity < b.cavity; });
+    return last == runs.end() ? 0 : std::size_t{last->cavity} + 1;
 }
 
 } // namespace voroprobe

@@ -29,7 +29,8 @@ struct LabelMesh
     double voxel_volume = 0.0; //!< cubic scan units, as the next
     double mesh_volume = 0.0;
     std::size_t faces_below_angle = 0;
-    std::size_t touching_edges = 0;           //!< on more than two faces; meshes made jointly only
+    std::size_t parts_in_pieces = 0; //!< made jointly only: voxels that hang together at edges and corners
+    std::size_t touching_edges = 0;  //!< on more than two faces; meshes made jointly only
     std::vector<std::string> broken_promises; //!< of the certificates, one line each
 
     [[nodiscard]] bool complete() const { return faults.empty() && broken_promises.empty(); }

@@ -28,6 +28,9 @@ constexpr double kClearMajority = 1.3;
 //! Each round may leave voxels to the next whose neighbours have got stronger.
 constexpr int kStrengtheningRounds = 4;
 
+constexpr int kBalancingRounds = 6;
+constexpr double kEvenEnough = 0.05;
+
 //! Step along segments, in shortest sides of a voxel.
 constexpr double kStepInVoxels = 0.3;
 
@@ -245,6 +248,69 @@ void LabelPartition::strengthen_overruled()
                 weights_[sample] = weight;
     }
     voxels_overruled_ = overruled.size();
+}
+
+void LabelPartition::balance(const LabelSurvey& survey, std::vector<std::uint32_t> parts)
+{
+    for (int round = 0; round < kBalancingRounds && !parts.empty(); ++round)
+    {
+        std::vector<std::pair<std::uint32_t, double>> uneven;
+        for (const std::uint32_t part : parts)
+            if (const double share = share_of_volume(survey, part); std::abs(share - 1.0) > kEvenEnough)
+                uneven.emplace_back(part, share);
+        parts.clear();
+        for (const auto& [part, share] : uneven)
+        {
+            scale_weights(survey, part, std::clamp(1.0 / std::sqrt(share), 0.7, 1.4));
+            parts.push_back(part);
+        }
+    }
+}
+
+//! Of the volume of its voxels, by points in these and those next to them.
+double LabelPartition::share_of_volume(const LabelSurvey& survey, std::uint32_t place) const
+{
+    const LabelPart& part = survey.parts()[place];
+    const auto is_near = [&](int i, int j, int k)
+    {
+        for (int z = k - 1; z <= k + 1; ++z)
+            for (int y = j - 1; y <= j + 1; ++y)
+                for (const LabelRun& run : survey.row(y, z))
+                    if (run.part == place && run.first <= i + 1 && run.end > i - 1)
+                        return true;
+        return false;
+    };
+    constexpr int kPointsAlong = 3;
+    std::size_t points = 0;
+    for (int k = part.box.first[2] - 1; k <= part.box.last[2] + 1; ++k)
+        for (int j = part.box.first[1] - 1; j <= part.box.last[1] + 1; ++j)
+            for (int i = part.box.first[0] - 1; i <= part.box.last[0] + 1; ++i)
+            {
+                if (!is_near(i, j, k))
+                    continue;
+                for (int n = 0; n < kPointsAlong * kPointsAlong * kPointsAlong; ++n)
+                {
+                    const auto offset = [&](int digit)
+                    { return static_cast<double>(digit % kPointsAlong - 1) / kPointsAlong + kPadding; };
+                    const Point3 p{i + offset(n), j + offset(n / 3), k + offset(n / 9)};
+                    points += ballot(p).winner() == part.label + 1 ? 1 : 0;
+                }
+            }
+    return static_cast<double>(points) / static_cast<double>(27 * part.voxels);
+}
+
+void LabelPartition::scale_weights(const LabelSurvey& survey, std::uint32_t place, double factor)
+{
+    const IndexBox& box = survey.parts()[place].box;
+    for (int k = box.first[2]; k <= box.last[2]; ++k)
+        for (int j = box.first[1]; j <= box.last[1]; ++j)
+            for (const LabelRun& run : survey.row(j, k))
+                for (int i = run.first; run.part == place && i < run.end; ++i)
+                {
+                    std::uint8_t& weight = weights_[at(i + kPadding, j + kPadding, k + kPadding)];
+                    weight = static_cast<std::uint8_t>(
+                        std::lround(std::clamp(weight * factor, 1.0, kMostWeight * kUnitWeight)));
+                }
 }
 
 //! How far along `step` (padded samples), from 0 to 1, all around is one label; at least a step.

@@ -15,8 +15,10 @@ namespace voroprobe
 namespace
 {
 
-//! Smaller bits of background are slivers: cavities of one voxel are larger.
+//! Smaller bits are slivers, as shares of a voxel: cavities of one voxel are larger, and so are bits of a
+//! part that hang together at edges and corners of voxels only.
 constexpr double kLeastCavityInVoxels = 0.05;
+constexpr double kLeastBitInVoxels = 0.25;
 
 //! Samples around a circumcenter along each axis, among which its part is looked for.
 constexpr int kSamplesAround = 4;
@@ -132,13 +134,14 @@ std::size_t LabelPieces::dissolve_once()
     std::set<std::uint32_t> needed;
     for (const auto& [part, number] : pieces_of_parts(pieces))
         needed.insert(number);
-    const double least_of_background = kLeastCavityInVoxels * spacing_.x * spacing_.y * spacing_.z;
+    const double voxel = spacing_.x * spacing_.y * spacing_.z;
     std::vector<std::pair<LabelCell, PartitionLabel>> relabelled;
     for (const LabelCell cell : delaunay_.finite_cell_handles())
     {
         const Piece& piece = pieces.at(cell->info().number);
-        const bool wanted = piece.label == 0 ? piece.outer || piece.volume >= least_of_background
-                                             : needed.contains(cell->info().number);
+        const bool wanted = piece.label == 0 ? piece.outer || piece.volume >= kLeastCavityInVoxels * voxel
+                                             : needed.contains(cell->info().number) ||
+                                                   piece.volume >= kLeastBitInVoxels * voxel;
         if (!wanted)
             relabelled.emplace_back(cell, label_around(cell));
     }
@@ -170,7 +173,8 @@ PartitionLabel LabelPieces::label_around(LabelCell cell)
 
 LabelPieces::Faults LabelPieces::faults(std::span<const std::uint32_t> parts)
 {
-    const std::map<std::uint32_t, std::uint32_t> piece_of_part = pieces_of_parts(find_pieces());
+    const Pieces pieces = find_pieces();
+    const std::map<std::uint32_t, std::uint32_t> piece_of_part = pieces_of_parts(pieces);
     std::map<std::uint32_t, std::uint32_t> largest_in; // part of each piece
     for (const auto& [part, number] : piece_of_part)
     {
@@ -178,6 +182,13 @@ LabelPieces::Faults LabelPieces::faults(std::span<const std::uint32_t> parts)
         if (!is_new && survey_.parts()[part].voxels > survey_.parts()[known->second].voxels)
             known->second = part;
     }
+    std::map<std::uint32_t, std::size_t> pieces_mostly_of; // part
+    for (const auto& [number, piece] : pieces)
+        if (!piece.volume_of_part.empty())
+            ++pieces_mostly_of[std::max_element(piece.volume_of_part.begin(), piece.volume_of_part.end(),
+                                                [](const auto& a, const auto& b)
+                                                { return a.second < b.second; })
+                                   ->first];
     Faults faults;
     for (const std::uint32_t part : parts)
     {
@@ -186,8 +197,63 @@ LabelPieces::Faults LabelPieces::faults(std::span<const std::uint32_t> parts)
             faults.missing.push_back(part);
         else if (largest_in.at(piece->second) != part)
             faults.merged.push_back(part);
+        else if (pieces_mostly_of[part] > 1)
+            faults.in_pieces.push_back(part);
     }
     return faults;
+}
+
+LabelPieces::PieceGraph LabelPieces::piece_graph()
+{
+    PieceGraph graph;
+    std::map<std::uint32_t, std::uint32_t> place_of;
+    for (auto& [number, piece] : find_pieces())
+    {
+        const auto place = static_cast<std::uint32_t>(graph.pieces.size());
+        place_of.emplace(number, place);
+        graph.outer = piece.outer ? place : graph.outer;
+        graph.pieces.push_back(piece);
+    }
+    for (const LabelCell cell : delaunay_.all_cell_handles())
+        for (int i = 0; i < 4; ++i)
+            if (const std::uint32_t other = cell->neighbor(i)->info().number; cell->info().number < other)
+                graph.contacts.emplace(place_of.at(cell->info().number), place_of.at(other));
+    return graph;
+}
+
+std::vector<std::size_t> LabelPieces::count_cavities(const CavityLabels& apart)
+{
+    const PieceGraph graph = piece_graph();
+    const auto stands_for = [&](std::uint32_t piece) { return apart.stands_for[graph.pieces[piece].label]; };
+    const PartitionLabel last = *std::max_element(apart.stands_for.begin(), apart.stands_for.end());
+    std::vector<std::size_t> count(last + 1, 0);
+    std::set<PartitionLabel> labels_with_cavities;
+    for (const auto& around : apart.cavities_around)
+        for (const auto& [label, cavity] : around)
+            labels_with_cavities.insert(label);
+    for (const PartitionLabel label : labels_with_cavities)
+    {
+        UnionFind sets(graph.pieces.size());
+        for (const auto& [a, b] : graph.contacts)
+            if (stands_for(a) != label && stands_for(b) != label)
+                sets.unite(a, b);
+        // Volumes that each enclosed set has of each cavity: one set is one cavity, the one it has most of.
+        std::map<std::uint32_t, std::map<std::uint32_t, double>> volume_in;
+        for (std::uint32_t piece = 0; piece < graph.pieces.size(); ++piece)
+        {
+            const auto& around = apart.cavities_around[graph.pieces[piece].label];
+            const auto cavity = around.find(label);
+            if (cavity != around.end() && sets.find(piece) != sets.find(graph.outer))
+                volume_in[sets.find(piece)][cavity->second] += graph.pieces[piece].volume;
+        }
+        std::set<std::uint32_t> found;
+        for (const auto& [set, volumes] : volume_in)
+            found.insert(std::max_element(volumes.begin(), volumes.end(),
+                                          [](const auto& a, const auto& b) { return a.second < b.second; })
+                             ->first);
+        count[label] = found.size();
+    }
+    return count;
 }
 
 } // namespace voroprobe

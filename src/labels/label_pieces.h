@@ -4,9 +4,12 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "labels/cavity_labels.h"
 #include "labels/label_delaunay.h"
 #include "labels/label_survey.h"
 
@@ -31,13 +34,19 @@ public:
     //! \return how often a cell changed its label.
     std::size_t dissolve_crumbs();
 
-    //! Parts that have no piece, and parts whose piece is that of a larger one.
+    //! Parts that have no piece, parts whose piece is that of a larger one, and parts of several pieces.
     struct Faults
     {
         std::vector<std::uint32_t> missing;
         std::vector<std::uint32_t> merged;
+        std::vector<std::uint32_t> in_pieces;
     };
     [[nodiscard]] Faults faults(std::span<const std::uint32_t> parts);
+
+    //! How many cavities of each label of the label map it encloses, by its place in LabelSurvey::labels(),
+    //! plus one: bits of everything else, joined through facets. `apart`: whose labels the cells have. Cost:
+    //! labels with cavities times pieces.
+    [[nodiscard]] std::vector<std::size_t> count_cavities(const CavityLabels& apart);
 
 private:
     //! Delaunay cells of one label that are joined through facets.
@@ -55,6 +64,15 @@ private:
     [[nodiscard]] static std::map<std::uint32_t, std::uint32_t> pieces_of_parts(const Pieces& pieces);
     [[nodiscard]] std::size_t dissolve_once();
     [[nodiscard]] static PartitionLabel label_around(LabelCell cell);
+
+    //! Pieces by consecutive numbers, and which of them share facets.
+    struct PieceGraph
+    {
+        std::vector<Piece> pieces;
+        std::set<std::pair<std::uint32_t, std::uint32_t>> contacts;
+        std::uint32_t outer = 0;
+    };
+    [[nodiscard]] PieceGraph piece_graph();
 
     LabelDelaunay& delaunay_;
     const LabelSurvey& survey_;

@@ -54,7 +54,7 @@ struct DelaunayCellData
 {
     Point3 circumcenter;          //!< the dual Voronoi vertex
     Region region = kOuterRegion; //!< of the circumcenter, until repaired
-    std::uint32_t scratch = 0;    //!< of whoever works on all cells: CellTable, repair_handles()
+    std::uint32_t scratch = 0;    //!< the number that CellTable gave the cell
     std::array<FacetId, 4> facet{kNoFacet, kNoFacet, kNoFacet,
                                  kNoFacet}; //!< restricted facet opposite each vertex
 };

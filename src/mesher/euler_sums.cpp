@@ -42,7 +42,57 @@ public:
     //! Adds two for each umbrella of a surface.
     void add_umbrellas(DoubledEuler& sums) const
     {
+        UnionFind umbrellas = find_umbrellas();
+        for (std::uint32_t f = 0; f < facets_.size(); ++f)
+        {
+            if (umbrellas.find(f) == f)
+                sums[surface_of(restricted_.oracle(), facets_[f].delaunay_cell, facets_[f].index)] += 2;
+        }
+    }
+
+private:
+    [[nodiscard]] UnionFind find_umbrellas() const
+    {
         UnionFind umbrellas(facets_.size());
+        if (join_at_edges_of_two(umbrellas))
+            return umbrellas;
+        umbrellas = UnionFind(facets_.size());
+        join_across_edges(umbrellas);
+        return umbrellas;
+    }
+
+    //! Joins the two facets at each edge; false where an edge has more, and it takes more to tell which.
+    bool join_at_edges_of_two(UnionFind& umbrellas) const
+    {
+        struct Edge
+        {
+            VertexHandle other;
+            std::uint32_t facet;
+            int count;
+        };
+        std::vector<Edge> edges;
+        for (std::uint32_t f = 0; f < facets_.size(); ++f)
+        {
+            for (int k = 0; k < 4; ++k)
+            {
+                const VertexHandle other = facets_[f].delaunay_cell->vertex(k);
+                if (k == facets_[f].index || other == vertex_)
+                    continue;
+                const auto edge = std::find_if(edges.begin(), edges.end(),
+                                               [&](const Edge& each) { return each.other == other; });
+                if (edge == edges.end())
+                    edges.push_back({other, f, 1});
+                else if (++edge->count > 2)
+                    return false;
+                else
+                    umbrellas.unite(edge->facet, f);
+            }
+        }
+        return true;
+    }
+
+    void join_across_edges(UnionFind& umbrellas) const
+    {
         for (std::uint32_t f = 0; f < facets_.size(); ++f)
         {
             for (int k = 0; k < 4; ++k)
@@ -52,14 +102,8 @@ public:
                     umbrellas.unite(f, number(partner_across(facets_[f], other)));
             }
         }
-        for (std::uint32_t f = 0; f < facets_.size(); ++f)
-        {
-            if (umbrellas.find(f) == f)
-                sums[surface_of(restricted_.oracle(), facets_[f].delaunay_cell, facets_[f].index)] += 2;
-        }
     }
 
-private:
     [[nodiscard]] FacetOfCell partner_across(const FacetOfCell& facet, VertexHandle other) const
     {
         const FacetOfCell through_inside = next_odd_facet(facet.delaunay_cell, facet.index, vertex_, other);
@@ -129,43 +173,47 @@ DoubledEuler doubled_euler_around(const RestrictedDelaunay& restricted,
     return sums;
 }
 
-std::vector<long> doubled_euler_of_surfaces(const RestrictedDelaunay& restricted)
+MeshedSurfaces find_meshed_surfaces(const RestrictedDelaunay& restricted, const CellTable& table)
 {
     const SurfaceOracle& oracle = restricted.oracle();
-    std::vector<long> sums(oracle.surface_count(), 0);
-    std::vector<bool> is_counted(restricted.vertex_index_bound(), false);
-    std::vector<VertexHandle> pinched;
-    for (const DelaunayCell delaunay_cell : restricted.triangulation().all_cell_handles())
+    MeshedSurfaces found{std::vector<long>(oracle.surface_count(), 0), {}};
+    std::vector<SurfaceId> surface_of_vertex(restricted.vertex_index_bound(), kNoSurface); // one of its own
+    for (CellTable::Number c = 0; c < table.size(); ++c)
     {
-        for (int i = 0; inside(delaunay_cell) && i < 4; ++i)
+        for (std::size_t i = 0; is_inside(table.region(c)) && i < 4; ++i)
         {
+            const Region beyond = table.region(table.neighbors(c)[i]);
             const SurfaceId surface =
-                separates_sides(delaunay_cell, i) ? surface_of(oracle, delaunay_cell, i) : kNoSurface;
+                is_inside(beyond) ? kNoSurface : oracle.surface_between(table.region(c), beyond);
             if (surface == kNoSurface)
                 continue;
-            --sums[static_cast<std::size_t>(surface)];
-            for (int k = 0; k < 4; ++k)
-            {
-                const VertexHandle vertex = delaunay_cell->vertex(k);
-                if (k == i || is_counted[vertex->info().index])
-                    continue;
-                is_counted[vertex->info().index] = true;
-                if (vertex->info().pinched)
-                    pinched.push_back(vertex);
-                else
-                    sums[static_cast<std::size_t>(surface)] += 2;
-            }
+            --found.doubled_euler[static_cast<std::size_t>(surface)];
+            for (std::size_t k = 1; k < 4; ++k)
+                surface_of_vertex[table.corners(c)[(i + k) % 4]] = surface;
         }
     }
-    DoubledEuler umbrellas;
-    for (const VertexHandle vertex : pinched)
-        VertexStar(restricted, vertex).add_umbrellas(umbrellas);
-    for (const auto& [surface, sum] : umbrellas)
+    for (const VertexHandle vertex : restricted.triangulation().finite_vertex_handles())
     {
-        if (surface != kNoSurface)
-            sums[static_cast<std::size_t>(surface)] += sum;
+        const SurfaceId surface = surface_of_vertex[vertex->info().index];
+        if (surface == kNoSurface)
+            continue;
+        const auto add = [&](SurfaceId at, long sum)
+        {
+            found.doubled_euler[static_cast<std::size_t>(at)] += sum;
+            found.vertices.push_back({at, position(vertex)});
+        };
+        if (!vertex->info().pinched)
+        {
+            add(surface, 2);
+            continue;
+        }
+        DoubledEuler umbrellas;
+        VertexStar(restricted, vertex).add_umbrellas(umbrellas);
+        umbrellas.erase(kNoSurface);
+        for (const auto& [each, sum] : umbrellas)
+            add(each, sum);
     }
-    return sums;
+    return found;
 }
 
 } // namespace voroprobe

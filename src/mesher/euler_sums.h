@@ -3,6 +3,7 @@
 #include <map>
 #include <vector>
 
+#include "mesher/cell_table.h"
 #include "mesher/restricted_delaunay.h"
 
 namespace voroprobe
@@ -17,8 +18,14 @@ using DoubledEuler = std::map<SurfaceId, long>;
 DoubledEuler doubled_euler_around(const RestrictedDelaunay& restricted,
                                   const std::vector<DelaunayCell>& delaunay_cells);
 
-//! Of each surface of the oracle's inventory, as its mesh has it by the regions of the Delaunay cells. Needs
-//! VertexData::pinched. Cost: O(Delaunay cells).
-std::vector<long> doubled_euler_of_surfaces(const RestrictedDelaunay& restricted);
+//! Of the surfaces of the oracle's inventory, as their meshes are by the regions of the Delaunay cells.
+struct MeshedSurfaces
+{
+    std::vector<long> doubled_euler;    //!< by surface
+    std::vector<SurfacePoint> vertices; //!< of the mesh, once for each surface that they are on
+};
+
+//! Needs VertexData::pinched. Cost: O(Delaunay cells).
+MeshedSurfaces find_meshed_surfaces(const RestrictedDelaunay& restricted, const CellTable& table);
 
 } // namespace voroprobe

@@ -58,6 +58,20 @@ std::vector<Point3> hits_of_rays(const SurfaceOracle& oracle, SurfaceId surface,
     return hits;
 }
 
+// How many facets ahead the cells on either side of the next are asked for: they lie anywhere in memory.
+constexpr FacetId kPrefetchDistance = 16;
+
+//! Has the cells of facets fetched that come after this one.
+void prefetch_after(const RestrictedDelaunay& restricted, FacetId id)
+{
+    const FacetId farther = id + 2 * kPrefetchDistance;
+    const FacetId nearer = id + kPrefetchDistance;
+    if (farther < restricted.facet_slots() && restricted.facet(farther).crossing_count != 0)
+        prefetch(restricted.facet(farther).delaunay_cell);
+    if (nearer < restricted.facet_slots() && restricted.facet(nearer).crossing_count != 0)
+        prefetch(restricted.facet(nearer).delaunay_cell->neighbor(restricted.facet(nearer).index));
+}
+
 } // namespace
 
 std::vector<SurfaceId> find_missing_surfaces(const RestrictedDelaunay& restricted)
@@ -67,6 +81,7 @@ std::vector<SurfaceId> find_missing_surfaces(const RestrictedDelaunay& restricte
         return {};
     for (FacetId id = 0; id < restricted.facet_slots(); ++id)
     {
+        prefetch_after(restricted, id);
         const RestrictedFacet& facet = restricted.facet(id);
         if (!facet.odd())
             continue;
@@ -88,6 +103,7 @@ std::vector<Point3> find_unfaithful_places(const RestrictedDelaunay& restricted)
     std::vector<Point3> places;
     for (FacetId id = 0; id < restricted.facet_slots(); ++id)
     {
+        prefetch_after(restricted, id);
         const RestrictedFacet& facet = restricted.facet(id);
         if (facet.crossing_count == 0)
             continue;
@@ -121,29 +137,6 @@ std::size_t seed_surfaces(std::span<const SurfaceId> surfaces, std::size_t point
         }
     }
     return inserted;
-}
-
-std::vector<SurfacePoint> vertices_on_surfaces(const RestrictedDelaunay& restricted)
-{
-    std::vector<SurfacePoint> vertices;
-    std::vector<SurfaceId> noted(restricted.vertex_index_bound(), kNoSurface);
-    for (const DelaunayCell delaunay_cell : restricted.triangulation().all_cell_handles())
-    {
-        for (int i = 0; inside(delaunay_cell) && i < 4; ++i)
-        {
-            const SurfaceId surface = restricted.oracle().surface_between(
-                delaunay_cell->info().region, delaunay_cell->neighbor(i)->info().region);
-            if (surface == kNoSurface)
-                continue;
-            for (int k = 0; k < 4; ++k)
-            {
-                const VertexHandle vertex = delaunay_cell->vertex(k);
-                if (k != i && std::exchange(noted[vertex->info().index], surface) != surface)
-                    vertices.push_back({surface, position(vertex)});
-            }
-        }
-    }
-    return vertices;
 }
 
 std::vector<Point3> points_around(std::span<const Neck> necks, double floor_radius,

@@ -29,10 +29,6 @@ enum class Seeds
 std::size_t seed_surfaces(std::span<const SurfaceId> surfaces, std::size_t points, Seeds seeds,
                           const SurfaceOracle& oracle, Refinement& refinement);
 
-//! The vertices on facets between the regions that surfaces separate, at least once for each of these
-//! surfaces. Cost: O(Delaunay cells).
-std::vector<SurfacePoint> vertices_on_surfaces(const RestrictedDelaunay& restricted);
-
 //! Points of the surface around the middle of each neck: where the axes through it meet the surface next to
 //! it.
 std::vector<Point3> points_around(std::span<const Neck> necks, double floor_radius,

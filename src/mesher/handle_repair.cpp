@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <unordered_map>
+#include <utility>
 
 #include "mesher/cell_shape.h"
-#include "mesher/euler_sums.h"
 
 namespace voroprobe
 {
@@ -17,14 +18,13 @@ constexpr int kPasses = 2;                    // each looks at what the one befo
 constexpr std::size_t kMostCells = 64;        // Delaunay cells that one neck may take
 constexpr std::size_t kLongestSearch = 3'000; // Delaunay cells looked at for a way around a change
 
-// Marks in DelaunayCellData::scratch begin here: above the cells of any triangulation in memory.
-constexpr std::uint32_t kFirstMark = 0x80000000U;
+using Number = CellTable::Number;
 
-void set_pinched_around(const std::vector<DelaunayCell>& cells)
+void set_pinched_around(const CellTable& table, const std::vector<Number>& cells)
 {
-    for (const DelaunayCell delaunay_cell : cells)
+    for (const Number cell : cells)
         for (int i = 0; i < 4; ++i)
-            delaunay_cell->vertex(i)->info().pinched = true; // as far as is known
+            table.cell(cell)->vertex(i)->info().pinched = true; // as far as is known
 }
 
 //! Of the facet opposite vertex i.
@@ -36,24 +36,39 @@ double squared_longest_side(DelaunayCell delaunay_cell, int i)
     return std::max({squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)});
 }
 
+//! Has what lies around the cell tried again.
+void note_change_at(const CellTable& table, Number cell, HandleMemory& memory)
+{
+    for (int i = 0; i < 4; ++i)
+    {
+        const std::uint32_t vertex = table.cell(cell)->vertex(i)->info().index;
+        if (vertex >= memory.changed_at.size())
+            memory.changed_at.resize(vertex + 1, 0);
+        memory.changed_at[vertex] = memory.now;
+    }
+}
+
 class HandleRepair
 {
 public:
-    HandleRepair(RestrictedDelaunay& restricted, double longest_side, std::vector<long>& lacking)
+    HandleRepair(const RestrictedDelaunay& restricted, CellTable& table, HandleMemory& memory,
+                 double longest_side, std::vector<long>& lacking)
         : restricted_(restricted), triangulation_(restricted.triangulation()), oracle_(restricted.oracle()),
-          longest_allowed_(longest_side), lacking_(lacking)
+          table_(table), memory_(memory), longest_allowed_(longest_side), lacking_(lacking),
+          marks_(table.size(), 0)
     {
+        note_changes();
     }
 
-    HandleRepairReport run(std::span<const Neck> necks)
+    HandleRepairReport run()
     {
-        const std::vector<LocatedNeck> missed = missed_necks(necks);
+        const std::vector<std::size_t> missed = missed_necks();
         for (int pass = 0; pass < kPasses && lacks_any(); ++pass)
         {
             report_.too_coarse.clear();
             report_.of_no_help.clear();
             const std::size_t before = report_.changes.size();
-            for (const LocatedNeck& neck : missed)
+            for (const std::size_t neck : missed)
                 mend(neck);
             if (report_.changes.size() == before)
                 break;
@@ -64,17 +79,17 @@ public:
     //! Surfaces with too many handles have most of them at slivers, on either side of them.
     HandleRepairReport run_at_slivers()
     {
-        for (const DelaunayCell delaunay_cell : triangulation_.finite_cell_handles())
+        for (Number cell = 0; cell < table_.size(); ++cell)
         {
-            const Region own = delaunay_cell->info().region;
+            const Region own = table_.region(cell);
             const SurfaceId around = oracle_.surface_around(own);
-            if (lack_of(around) <= 0)
+            if (lack_of(around) <= 0 || table_.is_infinite(cell))
                 continue;
-            for (int i = 0; i < 4 && delaunay_cell->info().region == own; ++i)
+            for (std::size_t i = 0; i < 4 && table_.region(cell) == own; ++i)
             {
-                const DelaunayCell next = delaunay_cell->neighbor(i);
-                const Region other = next->info().region;
-                if (oracle_.surface_between(own, other) == around && !mend_cell(delaunay_cell, other))
+                const Number next = table_.neighbors(cell)[i];
+                const Region other = table_.region(next);
+                if (other != own && oracle_.surface_between(own, other) == around && !mend_cell(cell, other))
                     mend_cell(next, own);
             }
         }
@@ -82,13 +97,6 @@ public:
     }
 
 private:
-    enum class Outcome
-    {
-        kChanged,
-        kTooCoarse, //!< it would help, but the Delaunay cells are too large
-        kRefused
-    };
-
     [[nodiscard]] bool lacks_any() const
     {
         return std::any_of(lacking_.begin(), lacking_.end(), [](long lack) { return lack != 0; });
@@ -105,50 +113,86 @@ private:
                            [&](SurfaceId surface) { return lack_of(surface) != 0; });
     }
 
-    //! A neck and the Delaunay cell that holds its middle.
-    struct LocatedNeck
+    //! Whether the middle of the neck lies on the wrong side of the mesh. \pre It is located.
+    [[nodiscard]] bool is_missed(std::size_t neck) const
     {
-        const Neck& neck;
-        DelaunayCell holder;
-
-        [[nodiscard]] bool is_missed() const { return holder->info().region != neck.region; }
-    };
+        return table_.region(memory_.trials[neck].holder) != memory_.necks[neck].region;
+    }
 
     //! Those on the wrong side of the mesh, beside surfaces that lack something.
-    [[nodiscard]] std::vector<LocatedNeck> missed_necks(std::span<const Neck> necks) const
+    [[nodiscard]] std::vector<std::size_t> missed_necks()
     {
-        std::vector<LocatedNeck> missed;
+        std::vector<std::size_t> missed;
         DelaunayCell near{};
-        for (const Neck& neck : necks)
+        for (std::size_t n = 0; n < memory_.necks.size(); ++n)
         {
-            if (!is_beside_lacking_surface(neck))
+            if (!is_beside_lacking_surface(memory_.necks[n]))
                 continue;
-            near = triangulation_.locate(cgal_point(neck.middle), near);
-            if (const LocatedNeck located{neck, near}; located.is_missed())
-                missed.push_back(located);
+            Number& holder = memory_.trials[n].holder;
+            if (holder == NeckTrial::kNoCell)
+                holder = CellTable::number(triangulation_.locate(cgal_point(memory_.necks[n].middle), near));
+            near = table_.cell(holder);
+            if (is_missed(n))
+                missed.push_back(n);
         }
         return missed;
     }
 
-    void mend(const LocatedNeck& located)
+    void mend(std::size_t n)
     {
-        const Neck& neck = located.neck;
-        if (!is_beside_lacking_surface(neck) || !located.is_missed())
+        const Neck& neck = memory_.necks[n];
+        if (!is_beside_lacking_surface(neck) || !is_missed(n))
             return;
-        const std::vector<DelaunayCell> cells = cells_along(located);
-        const Outcome outcome = cells.empty() ? Outcome::kRefused : change(cells, neck.region);
-        if (outcome == Outcome::kTooCoarse)
-            report_.too_coarse.push_back({neck, longest_side_});
-        if (outcome == Outcome::kRefused)
+        NeckTrial& trial = memory_.trials[n];
+        if (!is_up_to_date(trial))
+        {
+            trial.cells = numbers_of(cells_along(neck, table_.cell(trial.holder)));
+            trial.change = try_change(trial.cells, neck.region);
+            trial.tried_at = memory_.now;
+        }
+        if (!is_good(trial.change))
             report_.of_no_help.push_back(neck);
+        else if (trial.change.longest_side > longest_allowed_)
+            report_.too_coarse.push_back({neck, trial.change.longest_side});
+        else
+            make(trial.cells, neck.region, trial.change.gained);
     }
 
-    bool mend_cell(DelaunayCell delaunay_cell, Region other)
+    //! Whether nothing has changed around the cells that the trial is about.
+    [[nodiscard]] bool is_up_to_date(const NeckTrial& trial) const
     {
-        if (!may_change(delaunay_cell, other) || !touches_surface_elsewhere(delaunay_cell))
+        const auto is_as_it_was = [&](Number cell)
+        {
+            for (int i = 0; i < 4; ++i)
+            {
+                const std::uint32_t vertex = table_.cell(cell)->vertex(i)->info().index;
+                if (vertex < memory_.changed_at.size() && memory_.changed_at[vertex] >= trial.tried_at)
+                    return false;
+            }
+            return true;
+        };
+        return trial.tried_at > 0 && is_as_it_was(trial.holder) &&
+               std::all_of(trial.cells.begin(), trial.cells.end(), is_as_it_was) &&
+               (trial.change.is_possible.has_value() || !helps(trial.change.gained));
+    }
+
+    [[nodiscard]] bool is_good(const TriedChange& change) const
+    {
+        return helps(change.gained) && change.is_possible.value_or(false);
+    }
+
+    bool mend_cell(Number cell, Region other)
+    {
+        const DelaunayCell delaunay_cell = table_.cell(cell);
+        if (!may_change(delaunay_cell, other) ||
+            oracle_.region(centroid(corner_positions(delaunay_cell))) != other ||
+            !touches_surface_elsewhere(delaunay_cell))
             return false;
-        return oracle_.region(centroid(corner_positions(delaunay_cell))) == other &&
-               change({delaunay_cell}, other) == Outcome::kChanged;
+        const TriedChange tried = try_change({cell}, other);
+        const bool good = is_good(tried) && tried.longest_side <= longest_allowed_;
+        if (good)
+            make({cell}, other, tried.gained);
+        return good;
     }
 
     //! Whether an edge of the cell that is on none of its odd facets is on others. If not, the surface only
@@ -175,24 +219,24 @@ private:
 
     //! The Delaunay cells of other regions on the ways from the middle of the neck to its ends, and on to the
     //! nearest cells of its own region; empty where there is no way.
-    [[nodiscard]] std::vector<DelaunayCell> cells_along(const LocatedNeck& located) const
+    [[nodiscard]] std::vector<DelaunayCell> cells_along(const Neck& neck, DelaunayCell holder) const
     {
         std::vector<DelaunayCell> cells;
-        for (const Point3& end : located.neck.ends)
+        for (const Point3& end : neck.ends)
         {
-            if (!go_straight(located, end, cells))
+            if (!go_straight(neck, holder, end, cells))
                 return {};
         }
         return cells.size() > kMostCells ? std::vector<DelaunayCell>{} : cells;
     }
 
     //! Adds the cells on the way to one end; false where something in the way may not change.
-    bool go_straight(const LocatedNeck& located, const Point3& end, std::vector<DelaunayCell>& cells) const
+    bool go_straight(const Neck& neck, DelaunayCell holder, const Point3& end,
+                     std::vector<DelaunayCell>& cells) const
     {
-        const Neck& neck = located.neck;
         DelaunayCell last{};
-        for (const DelaunayCell delaunay_cell : triangulation_.segment_traverser_cell_handles(
-                 cgal_point(neck.middle), cgal_point(end), located.holder))
+        for (const DelaunayCell delaunay_cell :
+             triangulation_.segment_traverser_cell_handles(cgal_point(neck.middle), cgal_point(end), holder))
         {
             if (delaunay_cell->info().region == neck.region)
                 break;
@@ -240,6 +284,13 @@ private:
             cells.push_back(delaunay_cell);
     }
 
+    [[nodiscard]] static std::vector<Number> numbers_of(const std::vector<DelaunayCell>& cells)
+    {
+        std::vector<Number> numbers;
+        std::transform(cells.begin(), cells.end(), std::back_inserter(numbers), CellTable::number);
+        return numbers;
+    }
+
     //! What reaches beyond the domain stays outside.
     [[nodiscard]] bool may_change(DelaunayCell delaunay_cell, Region to) const
     {
@@ -254,40 +305,60 @@ private:
         return true;
     }
 
-    //! Gives the cells to the region where that helps; otherwise changes nothing. Large facets would be far
-    //! from the surface: their cells reach beyond the neck.
-    Outcome change(const std::vector<DelaunayCell>& cells, Region region)
+    //! What giving the cells to the region would do. Large facets would be far from the surface: their cells
+    //! reach beyond the neck.
+    [[nodiscard]] TriedChange try_change(const std::vector<Number>& cells, Region region)
     {
-        HandleChange made = make_change(cells, region);
-        const bool allowed =
-            helps(made.gained) && !touches_others(cells) && leaves_whole(cells, region, made.former_regions);
-        longest_side_ = longest_side(cells);
-        if (!allowed || longest_side_ > longest_allowed_)
+        TriedChange tried;
+        tried.is_possible = false;
+        if (cells.empty() || would_touch_others(cells, region))
+            return tried;
+        std::vector<DelaunayCell> handles;
+        std::vector<Region> regions{region};
+        for (const Number cell : cells)
         {
-            undo(made);
-            return allowed ? Outcome::kTooCoarse : Outcome::kRefused;
+            handles.push_back(table_.cell(cell));
+            regions.push_back(table_.region(cell));
         }
-        for (const auto& [surface, sum] : made.gained)
-            lacking_[static_cast<std::size_t>(surface)] -= sum;
-        set_pinched_around(cells);
-        report_.changes.push_back(std::move(made));
-        return Outcome::kChanged;
+        const DoubledEuler before = doubled_euler_around(restricted_, handles);
+        const std::size_t changes = table_.changes().size();
+        for (const Number cell : cells)
+            table_.set_region(cell, region);
+        tried.gained = doubled_euler_around(restricted_, handles);
+        for (const auto& [surface, sum] : before)
+            tried.gained[surface] -= sum;
+        tried.gained.erase(kNoSurface);
+        tried.is_possible.reset();
+        if (helps(tried.gained))
+        {
+            tried.is_possible = leaves_whole(cells, std::move(regions));
+            tried.longest_side = longest_side(handles);
+        }
+        table_.undo_changes_after(changes);
+        return tried;
     }
 
-    [[nodiscard]] HandleChange make_change(const std::vector<DelaunayCell>& cells, Region region) const
+    void make(const std::vector<Number>& cells, Region region, const DoubledEuler& gained)
     {
-        const DoubledEuler before = doubled_euler_around(restricted_, cells);
-        HandleChange made{cells, {}, {}};
-        for (const DelaunayCell delaunay_cell : cells)
+        HandleChange made{cells, {}, gained};
+        for (const Number cell : cells)
         {
-            made.former_regions.push_back(delaunay_cell->info().region);
-            delaunay_cell->info().region = region;
+            made.former_regions.push_back(table_.region(cell));
+            table_.set_region(cell, region);
         }
-        made.gained = doubled_euler_around(restricted_, cells);
-        for (const auto& [surface, sum] : before)
-            made.gained[surface] -= sum;
-        made.gained.erase(kNoSurface);
-        return made;
+        for (const auto& [surface, sum] : gained)
+            lacking_[static_cast<std::size_t>(surface)] -= sum;
+        set_pinched_around(table_, cells);
+        note_changes();
+        report_.changes.push_back(std::move(made));
+    }
+
+    void note_changes()
+    {
+        const std::vector<CellTable::Change>& changes = table_.changes();
+        for (; memory_.changes_seen < changes.size(); ++memory_.changes_seen)
+            note_change_at(table_, changes[memory_.changes_seen].cell, memory_);
+        ++memory_.now;
     }
 
     [[nodiscard]] bool helps(const DoubledEuler& gained) const
@@ -299,7 +370,7 @@ private:
     }
 
     //! Of the odd facets of the cells.
-    [[nodiscard]] double longest_side(const std::vector<DelaunayCell>& cells) const
+    [[nodiscard]] static double longest_side(const std::vector<DelaunayCell>& cells)
     {
         double squared = 0.0;
         for (const DelaunayCell delaunay_cell : cells)
@@ -311,113 +382,129 @@ private:
         return std::sqrt(squared);
     }
 
-    //! Whether a cell touches a region that is no neighbour of its own in the scan.
-    [[nodiscard]] bool touches_others(const std::vector<DelaunayCell>& cells) const
+    //! Whether one of the cells, in the region, would touch a region that is no neighbour of it in the scan.
+    [[nodiscard]] bool would_touch_others(const std::vector<Number>& cells, Region region) const
     {
-        for (const DelaunayCell delaunay_cell : cells)
-        {
-            const Region own = delaunay_cell->info().region;
-            for (int i = 0; i < 4; ++i)
+        for (const Number cell : cells)
+            for (const Number next : table_.neighbors(cell))
             {
-                const Region other = delaunay_cell->neighbor(i)->info().region;
-                if (other != own && oracle_.surface_between(other, own) == kNoSurface)
+                const Region other = table_.region(next);
+                if (other != region && oracle_.surface_between(other, region) == kNoSurface &&
+                    std::find(cells.begin(), cells.end(), next) == cells.end())
                     return true;
             }
-        }
         return false;
     }
 
     //! Whether the cells are connected to their region, and what they leave of the former ones is still
     //! connected around them. A way through edges and corners leads through cells that share no facets.
-    [[nodiscard]] bool leaves_whole(const std::vector<DelaunayCell>& cells, Region region,
-                                    std::vector<Region> regions)
+    [[nodiscard]] bool leaves_whole(const std::vector<Number>& cells, std::vector<Region> regions)
     {
-        regions.push_back(region);
         std::sort(regions.begin(), regions.end());
         regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
         return std::all_of(regions.begin(), regions.end(),
                            [&](Region each) { return is_connected_around(cells, each); });
     }
 
-    [[nodiscard]] bool is_connected_around(const std::vector<DelaunayCell>& cells, Region region)
+    [[nodiscard]] bool is_connected_around(const std::vector<Number>& cells, Region region)
     {
-        const std::uint32_t wanted = next_mark_++;
-        const std::uint32_t reached = next_mark_++;
+        const std::uint32_t wanted = ++last_mark_;
+        const std::uint32_t reached = ++last_mark_;
         std::size_t missing = 0;
-        std::vector<DelaunayCell> front;
-        const auto want = [&](DelaunayCell delaunay_cell)
+        std::vector<Number> front;
+        const auto want = [&](Number cell)
         {
-            if (delaunay_cell->info().region != region || delaunay_cell->info().scratch == wanted)
+            if (table_.region(cell) != region || marks_[cell] == wanted)
                 return;
-            delaunay_cell->info().scratch = wanted;
+            marks_[cell] = wanted;
             ++missing;
-            front = {delaunay_cell};
+            front = {cell};
         };
-        for (const DelaunayCell delaunay_cell : cells)
+        for (const Number cell : cells)
         {
-            want(delaunay_cell);
-            for (int i = 0; i < 4; ++i)
-                want(delaunay_cell->neighbor(i));
+            want(cell);
+            for (const Number next : table_.neighbors(cell))
+                want(next);
         }
         if (missing == 0)
             return false; // nothing of it would be left here
-        front.front()->info().scratch = reached;
+        marks_[front.front()] = reached;
         --missing;
         for (std::size_t at = 0; at < front.size() && missing > 0 && at < kLongestSearch; ++at)
         {
-            for (int i = 0; i < 4; ++i)
+            for (const Number next : table_.neighbors(front[at]))
             {
-                const DelaunayCell next = front[at]->neighbor(i);
-                if (next->info().region != region || next->info().scratch == reached)
+                if (table_.region(next) != region || marks_[next] == reached)
                     continue;
-                missing -= next->info().scratch == wanted ? 1 : 0;
-                next->info().scratch = reached;
+                missing -= marks_[next] == wanted ? 1 : 0;
+                marks_[next] = reached;
                 front.push_back(next);
             }
         }
         return missing == 0;
     }
 
-    RestrictedDelaunay& restricted_;
+    const RestrictedDelaunay& restricted_;
     const Triangulation& triangulation_;
     const SurfaceOracle& oracle_;
+    CellTable& table_;
+    HandleMemory& memory_;
     double longest_allowed_;     //!< side of the facets that a change makes
     std::vector<long>& lacking_; //!< by surface
     HandleRepairReport report_;
-    double longest_side_ = 0.0; //!< of the facets that the last change made, or would have made
-    std::uint32_t next_mark_ = kFirstMark;
+    std::vector<std::uint32_t> marks_; //!< by cell, of the searches around changes
+    std::uint32_t last_mark_ = 0;
 };
 
 } // namespace
 
-std::vector<long> lacking_euler(const RestrictedDelaunay& restricted)
+std::vector<long> lacking_euler(const SurfaceOracle& oracle, std::vector<long> doubled_euler)
 {
-    std::vector<long> lacking = doubled_euler_of_surfaces(restricted);
-    for (std::size_t surface = 0; surface < lacking.size(); ++surface)
+    for (std::size_t surface = 0; surface < doubled_euler.size(); ++surface)
     {
-        const int wanted = restricted.oracle().euler_characteristic(static_cast<SurfaceId>(surface));
-        lacking[surface] = 2L * wanted - lacking[surface];
+        const int wanted = oracle.euler_characteristic(static_cast<SurfaceId>(surface));
+        doubled_euler[surface] = 2L * wanted - doubled_euler[surface];
     }
-    return lacking;
+    return doubled_euler;
 }
 
-HandleRepairReport repair_handles(RestrictedDelaunay& restricted, std::span<const Neck> necks,
-                                  double longest_side, std::vector<long>& lacking)
+void note_new_cells(const CellTable& table, std::span<const CellTable::Number> new_cells,
+                    HandleMemory& memory)
 {
-    return HandleRepair(restricted, longest_side, lacking).run(necks);
+    std::vector<bool> is_new(table.size(), false);
+    for (const Number cell : new_cells)
+    {
+        is_new[cell] = true;
+        note_change_at(table, cell, memory);
+    }
+    ++memory.now;
+    for (NeckTrial& trial : memory.trials)
+    {
+        if (trial.holder != NeckTrial::kNoCell && is_new[trial.holder])
+            trial = {};
+    }
+    memory.changes_seen = table.changes().size();
 }
 
-std::vector<HandleChange> repair_slivers(RestrictedDelaunay& restricted, double longest_side,
+HandleRepairReport repair_handles(const RestrictedDelaunay& restricted, CellTable& table,
+                                  HandleMemory& memory, double longest_side, std::vector<long>& lacking)
+{
+    memory.trials.resize(memory.necks.size());
+    return HandleRepair(restricted, table, memory, longest_side, lacking).run();
+}
+
+std::vector<HandleChange> repair_slivers(const RestrictedDelaunay& restricted, CellTable& table,
+                                         HandleMemory& memory, double longest_side,
                                          std::vector<long>& lacking)
 {
-    return HandleRepair(restricted, longest_side, lacking).run_at_slivers().changes;
+    return HandleRepair(restricted, table, memory, longest_side, lacking).run_at_slivers().changes;
 }
 
-void undo(const HandleChange& change)
+void undo(const HandleChange& change, CellTable& table)
 {
     for (std::size_t c = 0; c < change.cells.size(); ++c)
-        change.cells[c]->info().region = change.former_regions[c];
-    set_pinched_around(change.cells);
+        table.set_region(change.cells[c], change.former_regions[c]);
+    set_pinched_around(table, change.cells);
 }
 
 } // namespace voroprobe

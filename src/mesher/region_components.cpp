@@ -1,5 +1,6 @@
 #include "mesher/region_components.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <unordered_map>
@@ -34,19 +35,52 @@ UnionFind join_cells(const CellTable& table)
     return sets;
 }
 
-//! Of the components of regions in several pieces.
+std::vector<std::size_t> count_cells(const RegionComponents& found)
+{
+    std::vector<std::size_t> counts(found.components.size(), 0);
+    for (const std::uint32_t component : found.of_cell)
+        ++counts[component];
+    return counts;
+}
+
+//! Of the components of each region the one with most cells.
+std::unordered_map<Region, std::uint32_t> find_longest(const RegionComponents& found,
+                                                       const std::vector<std::size_t>& counts)
+{
+    std::unordered_map<Region, std::uint32_t> longest;
+    for (std::uint32_t c = 0; c < found.components.size(); ++c)
+    {
+        const auto [entry, added] = longest.try_emplace(found.components[c].region, c);
+        if (counts[c] > counts[entry->second])
+            entry->second = c;
+    }
+    return longest;
+}
+
+//! The components of regions in several pieces: of the one with most cells no more than shows whether it is
+//! larger than the others, as a rule a small part.
 void measure(const CellTable& table, RegionComponents& found)
 {
-    std::unordered_map<Region, int> pieces;
-    for (const RegionComponent& component : found.components)
-        ++pieces[component.region];
-    std::vector<bool> wanted;
-    for (const RegionComponent& component : found.components)
-        wanted.push_back(pieces[component.region] > 1);
+    const auto longest = find_longest(found, count_cells(found));
+    std::vector<bool> is_longest(found.components.size(), false);
+    for (const auto& [region, component] : longest)
+        is_longest[component] = true;
     for (CellTable::Number c = 0; c < table.size(); ++c)
     {
-        if (wanted[found.of_cell[c]])
+        if (!is_longest[found.of_cell[c]])
             found.components[found.of_cell[c]].volume += volume(table, c);
+    }
+    std::vector<double> wanted(found.components.size(), 0.0);
+    for (const RegionComponent& component : found.components)
+    {
+        double& most = wanted[longest.at(component.region)];
+        most = std::max(most, component.volume);
+    }
+    for (CellTable::Number c = 0; c < table.size(); ++c)
+    {
+        RegionComponent& component = found.components[found.of_cell[c]];
+        if (component.volume <= wanted[found.of_cell[c]] && wanted[found.of_cell[c]] > 0.0)
+            component.volume += volume(table, c);
     }
 }
 

@@ -12,8 +12,7 @@ namespace voroprobe
 struct RegionComponent
 {
     Region region;
-    double volume; //!< cubed scan units; infinite for the one that reaches to infinity; 0 for the only one of
-                   //!< its region
+    double volume;           //!< cubed scan units; of the largest of its region enough to tell that it is
     CellTable::Number first; //!< one of its cells
 };
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "mesher/cell_shape.h"
-#include "mesher/region_components.h"
+#include "mesher/component_update.h"
 
 namespace voroprobe
 {
@@ -49,9 +49,14 @@ struct Step
 class RegionRepair
 {
 public:
-    RegionRepair(const SurfaceOracle& oracle, CellTable& table, double floor_radius)
-        : oracle_(oracle), table_(table), floor_(floor_radius)
+    RegionRepair(const SurfaceOracle& oracle, CellTable& table, double floor_radius,
+                 RegionRepairMemory& memory)
+        : oracle_(oracle), table_(table), floor_(floor_radius), memory_(memory)
     {
+        note_changes(table, memory);
+        if (memory.components && !memory.changed.empty() &&
+            !update_components(table, memory.changed, *memory.components))
+            memory.components.reset();
     }
 
     RegionRepairReport run()
@@ -71,14 +76,14 @@ public:
     {
         find_components();
         std::vector<Point3> places;
-        for (std::uint32_t c = 0; c < components_.size(); ++c)
+        for (std::uint32_t c = 0; c < components().size(); ++c)
         {
             const std::vector<Number> cells = is_largest_[c] ? std::vector<Number>{} : cells_of(c);
             if (cells.empty() || is_crumb(cells))
                 continue;
             for (const Number cell : find_way(cells))
             {
-                if (table_.region(cell) != components_[c].region)
+                if (table_.region(cell) != components()[c].region)
                     places.push_back(middle(cell));
             }
         }
@@ -88,11 +93,19 @@ public:
 private:
     void find_components()
     {
-        RegionComponents found = find_region_components(table_);
-        components_ = std::move(found.components);
-        component_of_ = std::move(found.of_cell);
-        is_largest_ = largest_of_each_region(components_);
+        if (!memory_.components)
+            memory_.components = find_region_components(table_);
+        is_largest_ = largest_of_each_region(components());
     }
+
+    [[nodiscard]] const std::vector<RegionComponent>& components() const
+    {
+        return memory_.components->components;
+    }
+
+    //! The index of a cell's component; kNoComponent where it was left out.
+    [[nodiscard]] std::uint32_t& component_of(Number cell) { return memory_.components->of_cell[cell]; }
+    [[nodiscard]] std::uint32_t component_of(Number cell) const { return memory_.components->of_cell[cell]; }
 
     [[nodiscard]] Point3 middle(Number cell) const { return centroid(corner_positions(table_.cell(cell))); }
 
@@ -138,14 +151,7 @@ private:
         std::size_t reconciled = 0;
         for (int sweep = 0; sweep < kSweeps; ++sweep)
         {
-            std::vector<Number> conflicting;
-            if (std::exchange(looked_at_all_, true))
-                conflicting = take_conflicting_cells();
-            else
-            {
-                for (Number cell = 0; cell < table_.size(); ++cell)
-                    note_conflicts(cell, conflicting);
-            }
+            std::vector<Number> conflicting = take_conflicting_cells();
             std::size_t changed = 0;
             for (const Number cell : conflicting)
                 changed += reconcile_with_neighbors(cell) ? 1 : 0;
@@ -153,6 +159,8 @@ private:
             if (changed == 0)
                 break;
         }
+        if (reconciled > 0)
+            memory_.components.reset();
         report_.cells_reconciled += reconciled;
         return reconciled;
     }
@@ -163,18 +171,34 @@ private:
             conflicting.push_back(cell);
     }
 
-    //! Among the cells looked at last and those changed since, with their neighbours.
+    //! Of all cells the first time; then among those looked at last and those changed since, with their
+    //! neighbours.
     std::vector<Number> take_conflicting_cells()
     {
         std::vector<Number> conflicting;
-        for (const Number cell : std::exchange(suspects_, {}))
-            note_conflicts(cell, conflicting);
-        for (const Number cell : std::exchange(changed_, {}))
+        const auto note_around = [&](Number cell)
         {
             for (const Number next : table_.neighbors(cell))
                 note_conflicts(next, conflicting);
             note_conflicts(cell, conflicting);
+        };
+        const std::vector<CellTable::Change>& changes = table_.changes();
+        if (std::exchange(memory_.looked_at_all, true))
+        {
+            for (const Number cell : memory_.suspects)
+                note_conflicts(cell, conflicting);
+            std::for_each(memory_.changed.begin(), memory_.changed.end(), note_around);
+            for (std::size_t c = memory_.changes_seen; c < changes.size(); ++c)
+                note_around(changes[c].cell);
         }
+        else
+        {
+            for (Number cell = 0; cell < table_.size(); ++cell)
+                note_conflicts(cell, conflicting);
+        }
+        memory_.suspects.clear();
+        memory_.changed.clear();
+        memory_.changes_seen = changes.size();
         return conflicting;
     }
 
@@ -205,7 +229,7 @@ private:
         if (better)
             change_region(cell, best);
         else
-            suspects_.push_back(cell);
+            memory_.suspects.push_back(cell);
         return better;
     }
 
@@ -215,7 +239,8 @@ private:
         find_components();
         report_.pieces_left_apart = 0;
         std::size_t changed = 0;
-        for (std::uint32_t c = 0; c < components_.size(); ++c)
+        bool still_known = true; // the components
+        for (std::uint32_t c = 0; c < components().size(); ++c)
         {
             if (is_largest_[c])
                 continue;
@@ -224,24 +249,28 @@ private:
                 continue; // changed since
             if (is_crumb(cells))
             {
-                dissolve(cells);
+                still_known = dissolve(cells) && still_known;
                 ++report_.crumbs_dissolved;
                 ++changed;
             }
             else if (bridge(cells))
             {
+                still_known = false;
                 ++report_.necks_bridged;
                 ++changed;
             }
             else
                 ++report_.pieces_left_apart;
         }
+        if (!still_known)
+            memory_.components.reset();
         return changed;
     }
 
     //! Reconciling may have taken bridges away.
     void count_pieces_apart()
     {
+        memory_.components.reset();
         find_components();
         report_.pieces_left_apart =
             static_cast<std::size_t>(std::count(is_largest_.begin(), is_largest_.end(), false));
@@ -251,15 +280,15 @@ private:
     {
         std::vector<Number> cells;
         const auto belongs = [&](Number cell)
-        { return component_of_[cell] == component && table_.region(cell) == components_[component].region; };
-        if (!belongs(components_[component].first))
+        { return component_of(cell) == component && table_.region(cell) == components()[component].region; };
+        if (!belongs(components()[component].first))
             return cells;
         const auto visit = [&](Number cell)
         {
-            component_of_[cell] = kNoComponent;
+            component_of(cell) = kNoComponent;
             cells.push_back(cell);
         };
-        visit(components_[component].first);
+        visit(components()[component].first);
         for (std::size_t at = 0; at < cells.size(); ++at)
         {
             for (const Number next : table_.neighbors(cells[at]))
@@ -269,7 +298,7 @@ private:
             }
         }
         for (const Number cell : cells)
-            component_of_[cell] = component;
+            component_of(cell) = component;
         return cells;
     }
 
@@ -287,8 +316,9 @@ private:
                std::all_of(cells.begin(), cells.end(), is_elsewhere);
     }
 
-    //! Gives the cells to the region they share most facets with.
-    void dissolve(const std::vector<Number>& cells)
+    //! Gives the cells to the region they share most facets with. Whether its components are still known: the
+    //! cells touch its largest one only.
+    bool dissolve(const std::vector<Number>& cells)
     {
         const Region own = table_.region(cells.front());
         std::unordered_map<Region, int> facets;
@@ -296,15 +326,28 @@ private:
             for (const Number next : table_.neighbors(cell))
                 ++facets[table_.region(next)];
         facets.erase(own);
+        if (facets.empty())
+            return false; // those around have been given to their region meanwhile
         const auto most =
             std::max_element(facets.begin(), facets.end(),
                              [](const auto& a, const auto& b)
                              { return std::pair(a.second, a.first) < std::pair(b.second, b.first); });
+        std::uint32_t component = kNoComponent;
+        bool still_known = true;
+        for (const Number cell : cells)
+            for (const Number next : table_.neighbors(cell))
+            {
+                if (table_.region(next) != most->first)
+                    continue;
+                component = component_of(next);
+                still_known = still_known && component != kNoComponent && is_largest_[component];
+            }
         for (const Number cell : cells)
         {
             change_region(cell, most->first);
-            component_of_[cell] = kNoComponent;
+            component_of(cell) = still_known ? component : kNoComponent;
         }
+        return still_known;
     }
 
     //! Gives the cells on the cheapest way to the largest piece of the region to it. False where none is
@@ -314,11 +357,11 @@ private:
         const std::vector<Number> way = find_way(cells);
         if (way.empty())
             return false;
-        const std::uint32_t component = component_of_[way.front()];
+        const std::uint32_t component = component_of(way.front());
         for (const Number cell : way)
         {
             change_region(cell, table_.region(cells.front()));
-            component_of_[cell] = component;
+            component_of(cell) = component;
         }
         return true;
     }
@@ -364,8 +407,8 @@ private:
 
     [[nodiscard]] bool is_goal(Number cell, Region own) const
     {
-        const std::uint32_t component = component_of_[cell];
-        return table_.region(cell) == own && component < components_.size() && is_largest_[component];
+        const std::uint32_t component = component_of(cell);
+        return table_.region(cell) == own && component < components().size() && is_largest_[component];
     }
 
     //! What a bridge of region `own` pays for a cell; nullopt where it must not pass.
@@ -383,7 +426,6 @@ private:
 
     void change_region(Number cell, Region region)
     {
-        changed_.push_back(cell);
         table_.set_region(cell, region);
         for (int i = 0; i < 4; ++i)
             table_.cell(cell)->vertex(i)->info().pinched = true; // as far as is known
@@ -392,29 +434,39 @@ private:
     const SurfaceOracle& oracle_;
     CellTable& table_;
     double floor_;
-    bool looked_at_all_ = false;
-    std::vector<Number> suspects_; //!< with conflicts that could not be mended, as far as is known
-    std::vector<Number> changed_;  //!< since the last sweep
-    std::vector<RegionComponent> components_;
-    std::vector<std::uint32_t> component_of_; //!< by cell
-    std::vector<bool> is_largest_;
+    RegionRepairMemory& memory_;
+    std::vector<bool> is_largest_; //!< by component
     RegionRepairReport report_;
 };
 
 } // namespace
 
-std::vector<Point3> find_gaps(const RestrictedDelaunay& restricted, double floor_radius)
+void note_changes(const CellTable& table, RegionRepairMemory& memory)
 {
-    if (restricted.oracle().surface_count() == 0)
-        return {};
-    CellTable table(restricted.triangulation());
-    return RegionRepair(restricted.oracle(), table, floor_radius).gaps();
+    for (std::size_t c = memory.changes_seen; c < table.changes().size(); ++c)
+        memory.changed.push_back(table.changes()[c].cell);
+    memory.changes_seen = table.changes().size();
 }
 
-RegionRepairReport repair_regions(const SurfaceOracle& oracle, CellTable& table, double floor_radius)
+void note_new_cells(const CellTable& table, const std::vector<CellTable::Number>& new_cells,
+                    RegionRepairMemory& memory)
+{
+    memory.changed.insert(memory.changed.end(), new_cells.begin(), new_cells.end());
+    memory.changes_seen = table.changes().size();
+}
+
+std::vector<Point3> find_gaps(const SurfaceOracle& oracle, CellTable& table, double floor_radius,
+                              RegionRepairMemory& memory)
+{
+    return oracle.surface_count() == 0 ? std::vector<Point3>{}
+                                       : RegionRepair(oracle, table, floor_radius, memory).gaps();
+}
+
+RegionRepairReport repair_regions(const SurfaceOracle& oracle, CellTable& table, double floor_radius,
+                                  RegionRepairMemory& memory)
 {
     return oracle.surface_count() == 0 ? RegionRepairReport{}
-                                       : RegionRepair(oracle, table, floor_radius).run();
+                                       : RegionRepair(oracle, table, floor_radius, memory).run();
 }
 
 } // namespace voroprobe

@@ -22,62 +22,161 @@ constexpr std::size_t kFewNecksOfPieces = 1024;
 // default floor.
 constexpr double kLongestSideInFloors = 6.0;
 
+//! The outside region next to a cell, or else next to its region.
+Region region_outside(const SurfaceOracle& oracle, DelaunayCell delaunay_cell)
+{
+    for (int i = 0; i < 4; ++i)
+    {
+        if (separates_sides(delaunay_cell, i))
+            return delaunay_cell->neighbor(i)->info().region;
+    }
+    return oracle.sides(oracle.surface_around(delaunay_cell->info().region)).outside;
+}
+
 } // namespace
+
+void RegionSettlement::take_in_new_cells()
+{
+    if (table_)
+    {
+        note_changes(*table_, regions_);
+        if (const auto made = table_->update())
+        {
+            note_new_cells(*table_, *made, regions_);
+            note_new_cells(*table_, *made, handles_);
+            new_cells_.insert(new_cells_.end(), made->begin(), made->end());
+            forget_umbrellas_at_changes();
+            return;
+        }
+        forget();
+    }
+    table_.emplace(restricted_.triangulation());
+}
+
+//! Refinement may have looked at them, but not with the regions that were settled.
+void RegionSettlement::forget_umbrellas_at_changes()
+{
+    for (const CellTable::Change& change : table_->changes())
+    {
+        for (int i = 0; i < 4; ++i)
+            table_->cell(change.cell)->vertex(i)->info().pinched = true;
+    }
+}
+
+void RegionSettlement::forget()
+{
+    table_.reset();
+    is_settled_ = false;
+    new_cells_.clear();
+    regions_ = {};
+    handles_ = {.necks = std::move(handles_.necks), .trials = {}, .changed_at = {}};
+    handle_changes_.clear();
+    report_ = {};
+    cells_relabelled_ = 0;
+}
+
+std::vector<Point3> RegionSettlement::find_gaps()
+{
+    if (restricted_.oracle().surface_count() == 0)
+        return {};
+    if (is_settled_)
+        forget();
+    take_in_new_cells();
+    return voroprobe::find_gaps(restricted_.oracle(), *table_, options_.floor_radius, regions_);
+}
 
 void RegionSettlement::settle(bool handles)
 {
-    remember_cells();
-    report_ = {};
+    take_in_new_cells();
+    if (is_settled_ && new_cells_.empty())
+        return;
+    settle_regions();
     lacking_.clear();
-    handle_changes_.clear();
     coarse_necks_.clear();
     other_missed_necks_.clear();
-    settle_regions();
     if (handles && restricted_.oracle().surface_count() > 0)
         settle_handles();
 }
 
-void RegionSettlement::remember_cells()
-{
-    former_cells_.clear();
-    former_cells_.reserve(restricted_.triangulation().number_of_cells());
-    for (const DelaunayCell delaunay_cell : restricted_.triangulation().all_cell_handles())
-        former_cells_.push_back({delaunay_cell->info().region, delaunay_cell->info().facet});
-}
-
 void RegionSettlement::settle_regions()
 {
-    CellTable table(restricted_.triangulation());
-    repair(table);
-    cells_relabelled_ = relabel_pinched_cells(restricted_, options_);
-    if (cells_relabelled_ == 0)
-        return;
-    table.refresh_regions();
-    repair(table); // a cell that mends an edge may have been a neck
+    undo_broken_changes();
+    repair();
+    const std::size_t relabelled =
+        relabel_pinched_cells(restricted_, *table_, options_, vertices_to_look_at());
+    if (relabelled > 0)
+        repair(); // a cell that mends an edge may have been a neck
+    cells_relabelled_ += relabelled;
+    new_cells_.clear();
+    is_settled_ = true;
 }
 
-void RegionSettlement::repair(CellTable& table)
+void RegionSettlement::repair()
 {
-    const RegionRepairReport report = repair_regions(restricted_.oracle(), table, options_.floor_radius);
+    const RegionRepairReport report =
+        repair_regions(restricted_.oracle(), *table_, options_.floor_radius, regions_);
     report_.cells_reconciled += report.cells_reconciled;
     report_.crumbs_dissolved += report.crumbs_dissolved;
     report_.necks_bridged += report.necks_bridged;
     report_.pieces_left_apart = report.pieces_left_apart; // as it is now
 }
 
+//! Pinched ones, as far as is known: all the first time, then those whose Delaunay cells are others.
+std::vector<VertexHandle> RegionSettlement::vertices_to_look_at()
+{
+    std::vector<bool> is_changed(restricted_.vertex_index_bound(), !is_settled_);
+    for (const CellTable::Number cell : new_cells_)
+    {
+        for (int i = 0; i < 4; ++i)
+            is_changed[table_->cell(cell)->vertex(i)->info().index] = true;
+    }
+    std::vector<VertexHandle> vertices;
+    for (const VertexHandle vertex : restricted_.triangulation().finite_vertex_handles())
+    {
+        const VertexData& data = vertex->info();
+        if (data.pinched && is_changed[data.index] && data.origin != VertexOrigin::kSentinel)
+            vertices.push_back(vertex);
+    }
+    return vertices;
+}
+
+//! Those that cells had a part in that are gone now.
+void RegionSettlement::undo_broken_changes()
+{
+    std::vector<bool> is_new(table_->size(), false);
+    for (const CellTable::Number cell : new_cells_)
+        is_new[cell] = true;
+    const auto is_broken = [&](const HandleChange& change)
+    {
+        return std::any_of(change.cells.begin(), change.cells.end(),
+                           [&](CellTable::Number cell) { return is_new[cell]; });
+    };
+    for (auto change = handle_changes_.rbegin(); change != handle_changes_.rend(); ++change)
+    {
+        for (std::size_t c = 0; is_broken(*change) && c < change->cells.size(); ++c)
+        {
+            if (!is_new[change->cells[c]])
+                table_->set_region(change->cells[c], change->former_regions[c]);
+        }
+    }
+    std::erase_if(handle_changes_, is_broken);
+}
+
 void RegionSettlement::settle_handles()
 {
-    lacking_ = lacking_euler(restricted_);
+    MeshedSurfaces meshed = find_meshed_surfaces(restricted_, *table_);
+    vertices_on_surfaces_ = std::move(meshed.vertices);
+    lacking_ = lacking_euler(restricted_.oracle(), std::move(meshed.doubled_euler));
     if (!lacks_any())
         return;
-    if (!necks_)
-        necks_ = restricted_.oracle().necks();
+    if (handles_.necks.empty())
+        handles_.necks = restricted_.oracle().necks();
     put_right(kLongestSideInFloors * options_.floor_radius);
 }
 
 void RegionSettlement::put_right(double longest_side)
 {
-    HandleRepairReport report = repair_handles(restricted_, *necks_, longest_side, lacking_);
+    HandleRepairReport report = repair_handles(restricted_, *table_, handles_, longest_side, lacking_);
     add(std::move(report.changes));
     coarse_necks_ = std::move(report.too_coarse);
     other_missed_necks_ = std::move(report.of_no_help);
@@ -98,34 +197,21 @@ void RegionSettlement::finish()
     if (lacks_any())
         put_right(2.0 * options_.max_facet_radius);
     if (lacks_any())
-        add(repair_slivers(restricted_, kLongestSideInFloors * options_.floor_radius, lacking_));
+        add(repair_slivers(restricted_, *table_, handles_, kLongestSideInFloors * options_.floor_radius,
+                           lacking_));
     improve_angles();
 }
 
 void RegionSettlement::improve_angles()
 {
+    changes_before_angles_ = table_->changes().size();
     if (restricted_.oracle().surface_count() > 0)
-        side_changes_ = relabel_sharp_cells(restricted_, options_);
-}
-
-//! The last change first: a cell may have changed twice.
-void RegionSettlement::undo_side_changes()
-{
-    for (auto change = side_changes_.rbegin(); change != side_changes_.rend(); ++change)
-        change->cell->info().region = change->former;
-    side_changes_.clear();
+        cells_relabelled_for_angles_ = relabel_sharp_cells(restricted_, *table_, options_);
 }
 
 void RegionSettlement::unsettle()
 {
-    auto former = former_cells_.begin();
-    for (const DelaunayCell delaunay_cell : restricted_.triangulation().all_cell_handles())
-    {
-        delaunay_cell->info().region = former->region;
-        delaunay_cell->info().facet = former->facet;
-        ++former;
-    }
-    handle_changes_.clear();
+    table_->give_back_regions();
 }
 
 std::vector<Neck> RegionSettlement::necks_to_refine() const
@@ -170,22 +256,22 @@ bool RegionSettlement::undo_handles_at(std::span<const VertexHandle> vertices)
     const auto is_at = [&](const HandleChange& change)
     {
         return std::any_of(change.cells.begin(), change.cells.end(),
-                           [&](DelaunayCell delaunay_cell)
+                           [&](CellTable::Number cell)
                            {
                                return std::any_of(vertices.begin(), vertices.end(),
                                                   [&](VertexHandle vertex)
-                                                  { return delaunay_cell->has_vertex(vertex); });
+                                                  { return table_->cell(cell)->has_vertex(vertex); });
                            });
     };
     if (std::none_of(handle_changes_.begin(), handle_changes_.end(), is_at))
         return false;
     // Later changes may have been made to the cells of earlier ones: the last is undone first.
-    undo_side_changes();
+    table_->undo_changes_after(changes_before_angles_);
     for (std::size_t c = handle_changes_.size(); c-- > 0;)
     {
         if (!is_at(handle_changes_[c]))
             continue;
-        undo(handle_changes_[c]);
+        undo(handle_changes_[c], *table_);
         for (const auto& [surface, sum] : handle_changes_[c].gained)
             lacking_[static_cast<std::size_t>(surface)] += sum;
         handle_changes_.erase(handle_changes_.begin() + static_cast<std::ptrdiff_t>(c));
@@ -194,12 +280,31 @@ bool RegionSettlement::undo_handles_at(std::span<const VertexHandle> vertices)
     return true;
 }
 
+void RegionSettlement::carve(std::span<const VertexHandle> vertices)
+{
+    std::vector<DelaunayCell> star;
+    for (const VertexHandle vertex : vertices)
+    {
+        star.clear();
+        restricted_.triangulation().incident_cells(vertex, std::back_inserter(star));
+        for (const DelaunayCell delaunay_cell : star)
+        {
+            if (!inside(delaunay_cell))
+                continue;
+            table_->set_region(CellTable::number(delaunay_cell),
+                               region_outside(restricted_.oracle(), delaunay_cell));
+            for (int i = 0; i < 4; ++i)
+                delaunay_cell->vertex(i)->info().pinched = true; // as far as is known
+        }
+    }
+}
+
 void RegionSettlement::count(MeshingStatistics& statistics) const
 {
     statistics.cells_reconciled = report_.cells_reconciled;
     statistics.crumbs_dissolved = report_.crumbs_dissolved;
     statistics.necks_bridged = report_.necks_bridged;
-    statistics.cells_relabelled = cells_relabelled_ + side_changes_.size();
+    statistics.cells_relabelled = cells_relabelled_ + cells_relabelled_for_angles_;
     statistics.handles_mended = handle_changes_.size();
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "mesher/cell_table.h"
 #include "mesher/handle_repair.h"
 #include "mesher/region_repair.h"
 #include "mesher/relabelling.h"
@@ -26,9 +26,13 @@ public:
     {
     }
 
+    //! See voroprobe::find_gaps(): in the regions as refinement has left them. What settle() did is
+    //! forgotten.
+    std::vector<Point3> find_gaps();
+
     //! Makes the regions what the oracle's inventory says they are. `handles`: the number of handles of every
-    //! surface too, where the Delaunay cells are small; pointless in a mesh that is not finished. Cost:
-    //! O(Delaunay cells).
+    //! surface too, where the Delaunay cells are small; pointless in a mesh that is not finished. What was
+    //! settled before stays, but for cells that are gone. Cost: O(Delaunay cells).
     void settle(bool handles);
 
     //! Puts right what handles are still wrong with facets as long as facets of the mesh may be, and at
@@ -36,7 +40,7 @@ public:
     //! After settle().
     void finish();
 
-    //! Gives all cells what they knew before settle(), and extract_surface(): refinement may go on.
+    //! Gives all cells the regions that they had before settle(): refinement may go on.
     void unsettle();
 
     //! Necks of the scan that want vertices beside them for the number of handles to come right: those where
@@ -44,45 +48,56 @@ public:
     //! of these. After settle().
     [[nodiscard]] std::vector<Neck> necks_to_refine() const;
 
+    //! Vertices of the mesh, at least once for each surface that they are on, as settle() found them where it
+    //! was to look at handles.
+    [[nodiscard]] const std::vector<SurfacePoint>& vertices_on_surfaces() const
+    {
+        return vertices_on_surfaces_;
+    }
+
     //! Takes back what was done for handles at any of the vertices; false where there was nothing.
     bool undo_handles_at(std::span<const VertexHandle> vertices);
 
-    //! Says what settle() did the last time.
+    //! Gives up the inside around the vertices: the surface no longer passes there.
+    void carve(std::span<const VertexHandle> vertices);
+
+    //! Says what settle() and finish() did.
     void count(MeshingStatistics& statistics) const;
 
     //! Pieces of regions that settle() could not join to the rest.
     [[nodiscard]] std::size_t pieces_left_apart() const { return report_.pieces_left_apart; }
 
 private:
-    //! What settle() and extract_surface() change of a Delaunay cell.
-    struct FormerCell
-    {
-        Region region;
-        std::array<FacetId, 4> facet;
-    };
-
-    void remember_cells();
+    void take_in_new_cells();
+    void forget_umbrellas_at_changes();
+    void forget();
     void settle_regions();
-    void repair(CellTable& table);
+    void repair();
+    std::vector<VertexHandle> vertices_to_look_at();
+    void undo_broken_changes();
     void settle_handles();
     void put_right(double longest_side);
     void add_where_few(const std::vector<Neck>& others, std::vector<Neck>& necks) const;
     void add(std::vector<HandleChange> changes);
     void improve_angles();
-    void undo_side_changes();
     [[nodiscard]] bool lacks_any() const;
 
     RestrictedDelaunay& restricted_;
     const MeshingOptions& options_;
-    std::vector<FormerCell> former_cells_; //!< all, in the order of the triangulation
-    std::optional<std::vector<Neck>> necks_;
+    std::optional<CellTable> table_;           //!< from the first look at all cells on
+    bool is_settled_ = false;                  //!< but for new cells
+    std::vector<CellTable::Number> new_cells_; //!< since the regions were settled
+    RegionRepairMemory regions_;
+    HandleMemory handles_;
+    std::vector<SurfacePoint> vertices_on_surfaces_;
     std::vector<long> lacking_; //!< see lacking_euler(); empty where it was not asked for
     std::vector<HandleChange> handle_changes_;
-    std::vector<SideChange> side_changes_; //!< after all changes for handles
+    std::size_t changes_before_angles_ = 0; //!< of the table
     std::vector<CoarseNeck> coarse_necks_;
     std::vector<Neck> other_missed_necks_;
     RegionRepairReport report_;
     std::size_t cells_relabelled_ = 0;
+    std::size_t cells_relabelled_for_angles_ = 0;
 };
 
 } // namespace voroprobe

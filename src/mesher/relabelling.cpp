@@ -6,6 +6,7 @@
 #include <iterator>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -77,34 +78,34 @@ struct Cost
 class Relabelling
 {
 public:
-    Relabelling(RestrictedDelaunay& restricted, const MeshingOptions& options)
-        : restricted_(restricted), floor_(options.floor_radius),
+    Relabelling(const RestrictedDelaunay& restricted, CellTable& table, const MeshingOptions& options)
+        : restricted_(restricted), table_(table), floor_(options.floor_radius),
           squared_sine_(std::pow(std::sin(options.min_facet_angle_deg * std::numbers::pi / 180.0), 2))
     {
     }
 
-    std::size_t run()
+    std::size_t run(std::vector<VertexHandle> vertices)
     {
-        std::vector<VertexHandle> pinched;
-        for (const VertexHandle vertex : restricted_.triangulation().finite_vertex_handles())
-        {
-            if (vertex->info().pinched && vertex->info().origin != VertexOrigin::kSentinel)
-                pinched.push_back(vertex);
-        }
         // With an inventory, repair_regions() has dissolved them, and a single cell may stand for a speck.
-        const bool inventory = restricted_.oracle().surface_count() > 0;
-        std::size_t changed = inventory ? 0 : dissolve_crumbs(pinched);
-        changed += sweep(pinched, Cells::kAgreeingWithOracle);
-        changed += sweep(pinched, Cells::kAny);
-        return changed;
+        if (restricted_.oracle().surface_count() == 0)
+            dissolve_crumbs(vertices);
+        std::erase_if(vertices, [&](VertexHandle vertex) { return !has_pinched_edge(vertex); });
+        sweep(vertices, Cells::kAgreeingWithOracle);
+        for (const CellTable::Change& change : changes())
+            add_corners(table_.cell(change.cell), vertices);
+        sort_by_index(vertices);
+        sweep(vertices, Cells::kAny);
+        return changes().size();
     }
 
-    std::vector<SideChange> run_for_angles()
+    std::size_t run_for_angles()
     {
-        std::vector<SideChange> changes;
         std::vector<DelaunayCell> candidates;
-        for (const DelaunayCell delaunay_cell : restricted_.triangulation().finite_cell_handles())
-            collect_beside_sharp_facets(delaunay_cell, candidates);
+        for (CellTable::Number c = 0; c < table_.size(); ++c)
+        {
+            if (!table_.is_infinite(c))
+                collect_beside_sharp_facets(c, candidates);
+        }
         for (int sweep = 0; sweep < kSweeps && !candidates.empty(); ++sweep)
         {
             std::vector<DelaunayCell> next;
@@ -112,26 +113,27 @@ public:
             {
                 if (!may_change(delaunay_cell) || !angles_gain_from_change(delaunay_cell))
                     continue;
-                changes.push_back({delaunay_cell, delaunay_cell->info().region});
                 change(delaunay_cell);
-                collect_beside_sharp_facets(delaunay_cell, next);
+                collect_beside_sharp_facets(CellTable::number(delaunay_cell), next);
             }
             candidates = std::move(next);
         }
-        return changes;
+        return changes().size();
     }
 
 private:
     //! The cell and its neighbour at each of its facets in the mesh that is below the bound.
-    void collect_beside_sharp_facets(DelaunayCell delaunay_cell, std::vector<DelaunayCell>& cells) const
+    void collect_beside_sharp_facets(CellTable::Number cell, std::vector<DelaunayCell>& cells) const
     {
-        for (int i = 0; i < 4; ++i)
+        for (std::size_t i = 0; i < 4; ++i)
         {
-            if (!separates_sides(delaunay_cell, i) || !is_sharp(delaunay_cell, i))
+            const CellTable::Number next = table_.neighbors(cell)[i];
+            if (is_inside(table_.region(cell)) == is_inside(table_.region(next)) ||
+                !is_sharp(table_.cell(cell), static_cast<int>(i)))
                 continue;
-            cells.push_back(delaunay_cell);
-            if (!restricted_.triangulation().is_infinite(delaunay_cell->neighbor(i)))
-                cells.push_back(delaunay_cell->neighbor(i));
+            cells.push_back(table_.cell(cell));
+            if (!table_.is_infinite(next))
+                cells.push_back(table_.cell(next));
         }
     }
 
@@ -152,18 +154,46 @@ private:
         return after.sharp_facets < before.sharp_facets && before.is_manifold && after.is_manifold;
     }
 
-    static void change(DelaunayCell delaunay_cell)
+    void change(DelaunayCell delaunay_cell)
     {
-        delaunay_cell->info().region = *region_across(delaunay_cell);
+        table_.set_region(CellTable::number(delaunay_cell), *region_across(delaunay_cell));
         for (int i = 0; i < 4; ++i)
             delaunay_cell->vertex(i)->info().pinched = true; // as far as is known
     }
 
+    //! Those made by this object.
+    [[nodiscard]] std::span<const CellTable::Change> changes() const
+    {
+        return std::span(table_.changes()).subspan(first_change_);
+    }
+
+    static void add_corners(DelaunayCell delaunay_cell, std::vector<VertexHandle>& vertices)
+    {
+        for (int i = 0; i < 4; ++i)
+            vertices.push_back(delaunay_cell->vertex(i));
+    }
+
+    static void sort_by_index(std::vector<VertexHandle>& vertices)
+    {
+        std::sort(vertices.begin(), vertices.end(),
+                  [](VertexHandle a, VertexHandle b) { return a->info().index < b->info().index; });
+        vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    }
+
+    //! Sets VertexData::pinched.
+    bool has_pinched_edge(VertexHandle vertex)
+    {
+        const Link link = link_of(vertex);
+        const bool pinched =
+            std::any_of(link.degrees.begin(), link.degrees.end(), [](int degree) { return degree > 2; });
+        vertex->info().pinched = pinched || link.component_count != 1;
+        return pinched;
+    }
+
     //! Single cells, thinner than the floor, that are a piece (or a hole) by themselves and touch the rest at
     //! each corner.
-    std::size_t dissolve_crumbs(const std::vector<VertexHandle>& pinched)
+    void dissolve_crumbs(const std::vector<VertexHandle>& pinched)
     {
-        std::size_t changed = 0;
         for (const VertexHandle vertex : pinched)
         {
             for (const DelaunayCell delaunay_cell : cells_around(vertex))
@@ -174,39 +204,27 @@ private:
                 bool touches_everywhere = true;
                 for (int i = 0; i < 4 && touches_everywhere; ++i)
                     touches_everywhere = link_of(delaunay_cell->vertex(i)).nodes.size() > 3;
-                if (!touches_everywhere)
-                    continue;
-                delaunay_cell->info().region = *region_across(delaunay_cell);
-                ++changed;
+                if (touches_everywhere)
+                    change(delaunay_cell);
             }
         }
-        return changed;
     }
 
-    //! Mends the given vertices, then those at the cells changed, and so on. Returns the number of cells
-    //! changed.
-    std::size_t sweep(std::vector<VertexHandle> vertices, Cells allowed)
+    //! Mends the given vertices, then those at the cells changed, and so on.
+    void sweep(std::vector<VertexHandle> vertices, Cells allowed)
     {
-        std::size_t changed = 0;
         for (int sweep = 0; sweep < kSweeps && !vertices.empty(); ++sweep)
         {
             std::vector<VertexHandle> touched;
             for (const VertexHandle vertex : vertices)
             {
                 const DelaunayCell delaunay_cell = mend(vertex, allowed);
-                if (delaunay_cell == DelaunayCell())
-                    continue;
-                ++changed;
-                for (int i = 0; i < 4; ++i)
-                    touched.push_back(delaunay_cell->vertex(i));
+                if (delaunay_cell != DelaunayCell())
+                    add_corners(delaunay_cell, touched);
             }
-            const auto by_index = [](VertexHandle a, VertexHandle b)
-            { return a->info().index < b->info().index; };
-            std::sort(touched.begin(), touched.end(), by_index);
-            touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+            sort_by_index(touched);
             vertices = std::move(touched);
         }
-        return changed;
     }
 
     //! Changes the side of the cell at the vertex that gains most, and returns it; a null handle where none
@@ -337,23 +355,27 @@ private:
         return static_cast<std::uint32_t>(number);
     }
 
-    RestrictedDelaunay& restricted_;
+    const RestrictedDelaunay& restricted_;
+    CellTable& table_;
     double floor_;
     double squared_sine_;
+    std::size_t first_change_ = table_.changes().size();
     std::vector<DelaunayCell> cells_;
     std::vector<DelaunayCell> star_;
 };
 
 } // namespace
 
-std::size_t relabel_pinched_cells(RestrictedDelaunay& restricted, const MeshingOptions& options)
+std::size_t relabel_pinched_cells(const RestrictedDelaunay& restricted, CellTable& table,
+                                  const MeshingOptions& options, std::vector<VertexHandle> vertices)
 {
-    return Relabelling(restricted, options).run();
+    return Relabelling(restricted, table, options).run(std::move(vertices));
 }
 
-std::vector<SideChange> relabel_sharp_cells(RestrictedDelaunay& restricted, const MeshingOptions& options)
+std::size_t relabel_sharp_cells(const RestrictedDelaunay& restricted, CellTable& table,
+                                const MeshingOptions& options)
 {
-    return Relabelling(restricted, options).run_for_angles();
+    return Relabelling(restricted, table, options).run_for_angles();
 }
 
 } // namespace voroprobe

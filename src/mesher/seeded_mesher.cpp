@@ -181,7 +181,7 @@ private:
         std::vector<Point3> places = find_unfaithful_places(restricted_);
         if (missing.empty())
         {
-            const std::vector<Point3> gaps = find_gaps(restricted_, options_.floor_radius);
+            const std::vector<Point3> gaps = settlement_.find_gaps();
             places.insert(places.end(), gaps.begin(), gaps.end());
         }
         // Along a crease of the interpolant there are the more of them the closer one looks.
@@ -198,8 +198,10 @@ private:
     {
         if (!may_pursue_inventory() || round > kCoverageRounds || !flaws_yield_)
             return false;
-        std::vector<Point3> points = uncovered_points(round);
-        statistics_.uncovered_points += points.size();
+        find_uncovered(round);
+        std::vector<Point3> points;
+        for (const SurfacePoint& at : uncovered_)
+            points.push_back(at.point);
         const bool has_gaps = round <= kFlawRounds && settlement_.pieces_left_apart() > 0;
         if (round <= kFlawRounds)
         {
@@ -212,7 +214,7 @@ private:
         settlement_.unsettle();
         std::vector<Point3> places;
         if (has_gaps)
-            places = find_gaps(restricted_, options_.floor_radius);
+            places = settlement_.find_gaps();
         const std::size_t seeds = seed_points(points, options_.floor_radius, restricted_, refinement_);
         if (round > 1 || seeds == 0)
             places.insert(places.end(), points.begin(), points.end());
@@ -221,18 +223,20 @@ private:
         return true;
     }
 
-    //! The thinner a part, the closer the points have to be for facets to connect them: a quarter of the
-    //! spacing in each round.
-    [[nodiscard]] std::vector<Point3> uncovered_points(int round) const
+    //! Looks for parts of surfaces that the mesh does not come to; after the first time, whether it has come
+    //! to those found last. The thinner a part, the closer the points have to be for facets to connect them:
+    //! a quarter of the spacing in each round.
+    void find_uncovered(int round)
     {
         const double radius = options_.max_facet_radius;
         const double spacing =
             std::max(std::ldexp(radius, 2 - 2 * round), kLeastSpacingInFloors * options_.floor_radius);
-        std::vector<Point3> points;
-        for (const SurfacePoint& at : find_uncovered_points(oracle_, vertices_on_surfaces(restricted_),
-                                                            2.0 * radius, spacing, options_.threads))
-            points.push_back(at.point);
-        return points;
+        const std::span<const SurfacePoint> vertices = settlement_.vertices_on_surfaces();
+        uncovered_ = round == 1
+                         ? find_uncovered_points(oracle_, vertices, 2.0 * radius, spacing, options_.threads)
+                         : find_uncovered_points_near(std::move(uncovered_), oracle_, vertices, 2.0 * radius,
+                                                      spacing, options_.threads);
+        statistics_.uncovered_points += uncovered_.size();
     }
 
     MeshingResult result(ExtractedSurface extracted)
@@ -261,9 +265,10 @@ private:
     SeedCandidates seed_candidates_;
     CellProbing cell_probing_;
     RegionSettlement settlement_;
-    bool flaws_yield_ = true;           //!< something could be done about the last ones
-    bool stopped_ = false;              //!< before the work was done
-    std::size_t unfaithful_places_ = 0; //!< when last looked for
+    std::vector<SurfacePoint> uncovered_; //!< points that the mesh did not come to when last looked for
+    bool flaws_yield_ = true;             //!< something could be done about the last ones
+    bool stopped_ = false;                //!< before the work was done
+    std::size_t unfaithful_places_ = 0;   //!< when last looked for
 };
 
 void require(bool condition, const std::string& name, double value, const std::string& range)

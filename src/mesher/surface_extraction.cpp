@@ -1,6 +1,5 @@
 #include "mesher/surface_extraction.h"
 
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -38,36 +37,6 @@ std::vector<SurfaceId> surfaces_of_faces(const SurfaceOracle& oracle, const Boun
     return surfaces;
 }
 
-//! The outside region next to a cell, or else next to its region.
-Region region_outside(const SurfaceOracle& oracle, DelaunayCell delaunay_cell)
-{
-    for (int i = 0; i < 4; ++i)
-    {
-        if (separates_sides(delaunay_cell, i))
-            return delaunay_cell->neighbor(i)->info().region;
-    }
-    return oracle.sides(oracle.surface_around(delaunay_cell->info().region)).outside;
-}
-
-//! Gives the Delaunay cells around the vertices to the outside: the surface no longer passes there.
-void carve(const RestrictedDelaunay& restricted, const std::vector<VertexHandle>& vertices)
-{
-    std::vector<DelaunayCell> star;
-    for (const VertexHandle vertex : vertices)
-    {
-        star.clear();
-        restricted.triangulation().incident_cells(vertex, std::back_inserter(star));
-        for (const DelaunayCell delaunay_cell : star)
-        {
-            if (!inside(delaunay_cell))
-                continue;
-            delaunay_cell->info().region = region_outside(restricted.oracle(), delaunay_cell);
-            for (int i = 0; i < 4; ++i)
-                delaunay_cell->vertex(i)->info().pinched = true; // as far as is known
-        }
-    }
-}
-
 } // namespace
 
 ExtractedSurface extract_surface(const RestrictedDelaunay& restricted, RegionSettlement& settlement,
@@ -81,7 +50,7 @@ ExtractedSurface extract_surface(const RestrictedDelaunay& restricted, RegionSet
         if (!settlement.undo_handles_at(contacts.unseparated))
         {
             statistics.contacts_carved += contacts.unseparated.size();
-            carve(restricted, contacts.unseparated);
+            settlement.carve(contacts.unseparated);
         }
         complex = collect_boundary(restricted);
         contacts = take_apart(restricted, complex);

@@ -69,7 +69,7 @@ void VoronoiCell::assign(VertexHandle vertex)
     star_.clear();
     corners_.clear();
     edges_.clear();
-    std::fill(places_.begin(), places_.end(), kNoPlace);
+    places_.assign(kFirstSlots, kNoPlace); // a large cell before would make every later one slow
     place_in_star(vertex->cell());
     for (std::uint32_t c = 0; c < star_.size(); ++c)
     {

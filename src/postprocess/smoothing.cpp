@@ -1,7 +1,11 @@
 #include "postprocess/smoothing.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <set>
 #include <vector>
+
+#include "certificate/self_intersections.h"
 
 namespace voroprobe
 {
@@ -13,6 +17,9 @@ namespace
 //! 1 / kForth + 1 / kBack = 0.1, of 2. Taubin's own choice.
 constexpr double kForth = 0.6307;
 constexpr double kBack = -0.6732;
+
+//! Vertices that may go less than this share of their way stay.
+constexpr double kLeastShare = 0.25;
 
 //! The middle of the neighbours of every vertex. On a closed mesh every neighbour is met twice.
 class Neighbourhood
@@ -49,8 +56,6 @@ private:
     std::vector<long> faces_;
 };
 
-} // namespace
-
 TriangleMesh smoothed(const TriangleMesh& mesh, std::size_t rounds)
 {
     const Neighbourhood neighbourhood(mesh);
@@ -62,6 +67,38 @@ TriangleMesh smoothed(const TriangleMesh& mesh, std::size_t rounds)
             if (neighbourhood.is_inner(v))
                 result.vertices[v] += (step % 2 == 0 ? kForth : kBack) * ways[v];
     }
+    return result;
+}
+
+//! Vertices of the pairs of faces that cross in one mesh and not in the other; ascending.
+std::set<std::uint32_t> vertices_that_cross(const TriangleMesh& mesh, const std::vector<FacePair>& before)
+{
+    std::set<std::uint32_t> vertices;
+    for (const FacePair& pair : self_intersections(mesh))
+        if (!std::binary_search(before.begin(), before.end(), pair))
+            for (const std::uint32_t f : {pair.first, pair.second})
+                vertices.insert(mesh.faces[f].begin(), mesh.faces[f].end());
+    return vertices;
+}
+
+} // namespace
+
+SmoothingResult smooth(const TriangleMesh& mesh, std::size_t rounds)
+{
+    const TriangleMesh goal = smoothed(mesh, rounds);
+    const std::vector<FacePair> crossings_before = self_intersections(mesh);
+    SmoothingResult result{.mesh = goal};
+    std::vector<double> share(mesh.vertices.size(), 1.0); // of its way that each vertex goes
+    for (std::set<std::uint32_t> crossing;
+         !(crossing = vertices_that_cross(result.mesh, crossings_before)).empty();)
+        for (const std::uint32_t v : crossing)
+        {
+            share[v] = share[v] > kLeastShare ? 0.5 * share[v] : 0.0;
+            const Point3& from = mesh.vertices[v];
+            result.mesh.vertices[v] = share[v] > 0.0 ? from + share[v] * (goal.vertices[v] - from) : from;
+        }
+    result.vertices_held = static_cast<std::size_t>(
+        std::count_if(share.begin(), share.end(), [](double went) { return went < 1.0; }));
     return result;
 }
 

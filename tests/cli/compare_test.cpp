@@ -168,6 +168,7 @@ TEST_F(CompareTest, a_label_map_is_compared_label_by_label)
                                                {"--with", "mine=" + folder_ / "page.html"},
                                                {"--contestants", "openvdb"},
                                                {"--smooth", "joint"},
+                                               {"--max-labels", "1"},
                                                {"--names", "names.txt"}})
     {
         std::vector<std::string> arguments{"compare", folder_ / "labels.mha", "--labels", "all",

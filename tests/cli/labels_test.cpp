@@ -184,6 +184,39 @@ TEST_F(LabelsTest, a_scan_is_not_taken_for_a_label_map)
     EXPECT_NE(outcome.err.find("whole numbers"), std::string::npos) << outcome.err;
 }
 
+//! Whole numbers that differ from voxel to voxel: 13,824 of them.
+double number_of_voxel(const Point3& p)
+{
+    return 1.0 + p.x + 24.0 * (p.y + 24.0 * p.z);
+}
+
+TEST_F(LabelsTest, a_scan_of_whole_numbers_or_too_many_labels_are_refused_with_their_count_and_the_way_on)
+{
+    Phantom scan = ball_phantom();
+    scan.field = [](const Point3& p) { return std::fmod(number_of_voxel(p) * 7919.0, 1000.0); };
+    write_phantom(scan, folder_ / "labels.mha");
+    expect_refused({"--labels", "all"},
+                   {"999 labels", "gray-level scan", "--isovalue", "100 labels", "--max-labels 999"});
+    expect_refused({"--labels", "1-101"}, {"101 labels", "--max-labels 101"});
+    EXPECT_EQ(mesh({"--labels", "1-3"}).status, 0); // few are soon meshed
+    std::filesystem::remove_all(folder_ / "out");
+
+    Phantom pairs = ball_phantom();
+    pairs.size[0] = 48;
+    pairs.field = [](const Point3& p) { return number_of_voxel({std::floor(p.x / 2), p.y, p.z}); };
+    write_phantom(pairs, folder_ / "labels.mha");
+    expect_refused({"--labels", "all"}, {"13,824 labels", "10,000 labels", "--max-labels 13824"});
+    // Columns along x, so that neighbours are equal.
+    Phantom columns = ball_phantom();
+    columns.field = [](const Point3& p) { return 1.0 + p.y + 24.0 * p.z; };
+    write_phantom(columns, folder_ / "labels.mha");
+    expect_refused({"--labels", "all", "--max-labels", "500"},
+                   {"576 labels", "500 labels", "--max-labels 576"});
+    expect_refused({"--labels", "all", "--max-labels", "0"}, {"--max-labels", "'0'"});
+    expect_refused({"--isovalue", "1", "--max-labels", "5"}, {"--max-labels", "--labels"});
+    EXPECT_EQ(mesh({"--labels", "all", "--max-labels", "576"}, "all.ply").status, 0);
+}
+
 TEST_F(LabelsTest, any_number_of_threads_gives_the_same_bytes)
 {
     ASSERT_EQ(mesh({"--labels", "all", "--threads", "1"}, "a{label}.stl").status, 0);

@@ -88,10 +88,10 @@ TEST_F(ProcessTest, a_step_that_would_break_a_promise_stops_and_says_so)
 
 TEST_F(ProcessTest, bodies_are_split_into_files_and_objects)
 {
-    ASSERT_EQ(process("body{n}.stl", {"--split", "--sort"}).status, 0);
-    const double first = enclosed_volume(read_mesh(folder_ / "body1.stl"));
-    EXPECT_GT(first, enclosed_volume(read_mesh(folder_ / "body2.stl")));
-    EXPECT_FALSE(fs::exists(folder_ / "body3.stl"));
+    ASSERT_EQ(process("new/body{n}.stl", {"--split", "--sort"}).status, 0);
+    const double first = enclosed_volume(read_mesh(folder_ / "new/body1.stl"));
+    EXPECT_GT(first, enclosed_volume(read_mesh(folder_ / "new/body2.stl")));
+    EXPECT_FALSE(fs::exists(folder_ / "new/body3.stl"));
 
     ASSERT_EQ(process("bodies.3mf", {"--split", "--sort"}).status, 0);
     const std::vector<MeshPart> parts = read_parts(folder_ / "bodies.3mf");
@@ -129,6 +129,24 @@ TEST_F(ProcessTest, a_hollow_has_the_wall_asked_for_and_a_way_out)
     EXPECT_EQ(program::run({"check", folder_ / "open.stl", "--printable", "--min-wall", "2.5"}).status, 5);
 }
 
+TEST_F(ProcessTest, hollowing_leaves_out_specks_below_its_grain_and_says_so)
+{
+    Phantom phantom;
+    phantom.field = [](const Point3& p) {
+        return std::max(8.5 - distance(p, {10, 10, 10}), 1.2 - distance(p, {20, 20, 20}));
+    };
+    write_phantom(phantom, folder_ / "speck.mha");
+    ASSERT_EQ(
+        program::run({"mesh", folder_ / "speck.mha", "-o", folder_ / "speck.ply", "--isovalue", "0"}).status,
+        0);
+    ASSERT_EQ(count_components(read_mesh(folder_ / "speck.ply")), 2U);
+    const program::Outcome outcome = program::run(
+        {"process", folder_ / "speck.ply", "-o", folder_ / "hollow.ply", "--hollow", "2.5", "--voxel", "1"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(count_components(read_mesh(folder_ / "hollow.ply")), 2U); // the ball's outside and its hollow
+    EXPECT_NE(outcome.out.find("1 speck of less than 8 voxels left out"), std::string::npos) << outcome.out;
+}
+
 TEST_F(ProcessTest, printing_is_judged)
 {
     const program::Outcome outcome =
@@ -158,6 +176,9 @@ TEST_F(ProcessTest, wrong_usage_is_refused_before_anything_is_read)
         EXPECT_EQ(outcome.status, 2) << options[0];
         EXPECT_NE(outcome.err.find(options[0]), std::string::npos) << outcome.err;
     }
+    const program::Outcome unsplit = process("out{n}.stl", {"--center"});
+    EXPECT_EQ(unsplit.status, 2);
+    EXPECT_NE(unsplit.err.find("--split"), std::string::npos) << unsplit.err;
     EXPECT_EQ(program::run({"process", mesh(), "-o", mesh(), "--center"}).status, 2);
     EXPECT_EQ(program::run({"process", folder_ / "none.stl", "-o", folder_ / "out.stl"}).status, 3);
     EXPECT_EQ(program::run({"check", mesh(), "--min-wall", "1"}).status, 2);

@@ -2,15 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
+#include <set>
 
 #include <gtest/gtest.h>
 
 #include "certificate/self_intersections.h"
-#include "labels/enclosed_background.h"
+#include "labels/cavity_labels.h"
 #include "labels/joint_meshing.h"
 #include "labels/label_cavities.h"
+#include "labels/small_parts.h"
 #include "mesh/measures.h"
 #include "mesh/topology.h"
 #include "random_labels.h"
@@ -38,6 +41,13 @@ Volume halved_ball()
                 samples.push_back(radius <= 6.5 ? (i < 12 ? 1 : 2) : radius <= 9.5 && k > 12 ? 3 : 0);
             }
     return make_volume({.size = size, .spacing = kUnit, .direction = {}, .origin = {}}, std::move(samples));
+}
+
+//! In samples of a grid with `nx` times `ny` in a slice.
+std::size_t sample_at(int i, int j, int k, std::size_t nx, std::size_t ny)
+{
+    const auto at = [](int index) { return static_cast<std::size_t>(index); };
+    return at(i) + nx * (at(j) + ny * at(k));
 }
 
 std::vector<std::uint32_t> all_labels(const LabelSurvey& survey)
@@ -205,7 +215,7 @@ Volume pierced_block()
                                   {13, 6, 6},
                                   {15, 9, 8},
                                   {14, 8, 8}})
-        samples[static_cast<std::size_t>(i + 18 * (j + 14 * k))] = 0;
+        samples[sample_at(i, j, k, 18, 14)] = 0;
     return make_volume({.size = size, .spacing = kUnit, .direction = {}, .origin = {}}, std::move(samples));
 }
 
@@ -229,7 +239,7 @@ TEST(InterfaceMeshing, specks_within_a_label_keep_their_volume)
         for (int j = 0; j < 14; ++j)
             for (int i = 0; i < 14; ++i)
                 samples.push_back(std::min({i, j, k}) >= 2 && std::max({i, j, k}) < 12 ? 1 : 0);
-    const auto at = [](int i, int j, int k) { return static_cast<std::size_t>(i + 14 * (j + 14 * k)); };
+    const auto at = [](int i, int j, int k) { return sample_at(i, j, k, 14, 14); };
     samples[at(4, 4, 4)] = 2;
     samples[at(8, 5, 5)] = samples[at(9, 5, 5)] = 3;
     samples[at(5, 9, 8)] = samples[at(6, 9, 8)] = samples[at(6, 8, 8)] = 4;
@@ -243,34 +253,145 @@ TEST(InterfaceMeshing, specks_within_a_label_keep_their_volume)
     }
 }
 
-TEST(EnclosedBackground, becomes_labels_and_nothing_else_changes)
+TEST(CavityLabels, stand_for_the_labels_of_the_map_voxel_by_voxel)
 {
+    const std::array<std::size_t, 3> size{12, 10, 11};
     for (std::uint64_t seed = 0; seed < 10; ++seed)
     {
-        const LabelSurvey survey(random_labels({12, 10, 11}, 2, seed));
-        const LabelSurvey with = with_enclosed_background(survey, all_labels(survey));
-        ASSERT_GE(with.labels().size(), survey.labels().size());
-        for (std::size_t n = 0; n < survey.labels().size(); ++n)
-        {
-            EXPECT_EQ(with.labels()[n].voxels, survey.labels()[n].voxels);
-            ASSERT_EQ(with.labels()[n].parts.size(), survey.labels()[n].parts.size());
-            for (std::size_t p = 0; p < survey.labels()[n].parts.size(); ++p)
-                EXPECT_EQ(with.parts()[with.labels()[n].parts[p]].first_voxel,
-                          survey.parts()[survey.labels()[n].parts[p]].first_voxel);
-        }
+        const Volume volume = random_labels(size, 3, seed);
+        const LabelSurvey survey(volume);
+        const CavityLabels apart = label_cavities_apart(survey, all_labels(survey));
+        for (int k = 0; k < 11; ++k)
+            for (int j = 0; j < 10; ++j)
+            {
+                std::array<LabelValue, 12> found{};
+                for (const LabelRun& run : apart.survey.row(j, k))
+                    if (const PartitionLabel of = apart.stands_for[apart.survey.parts()[run.part].label + 1])
+                        std::fill(found.begin() + run.first, found.begin() + run.end,
+                                  survey.labels()[of - 1].value);
+                for (std::size_t i = 0; i < 12; ++i)
+                    EXPECT_EQ(found[i], std::lround(volume.at(i, static_cast<std::size_t>(j),
+                                                              static_cast<std::size_t>(k))));
+            }
     }
-    const LabelSurvey block(pierced_block());
-    EXPECT_EQ(with_enclosed_background(block, all_labels(block)).labels().size(), 1U + 7U);
 }
 
-TEST(EnclosedBackground, of_labels_that_are_not_asked_for_counts_as_well)
+TEST(CavityLabels, know_the_cavities_around_them)
+{
+    const LabelSurvey block(pierced_block());
+    const CavityLabels apart = label_cavities_apart(block, all_labels(block));
+    ASSERT_EQ(apart.survey.labels().size(), 1U + 7U);
+    EXPECT_TRUE(apart.cavities_around[1].empty());
+    std::set<std::uint32_t> cavities;
+    for (PartitionLabel label = 2; label <= 8; ++label)
+    {
+        EXPECT_EQ(apart.stands_for[label], 0U);
+        ASSERT_EQ(apart.cavities_around[label].count(1), 1U);
+        cavities.insert(apart.cavities_around[label].at(1));
+    }
+    EXPECT_EQ(cavities.size(), 7U);
+}
+
+TEST(CavityLabels, of_labels_that_are_not_asked_for_are_background)
 {
     const LabelSurvey survey(two_shells());
     const std::vector<std::uint32_t> shells{0};
-    const LabelSurvey with =
-        with_enclosed_background(survey, shells); // the ball in a shell is background now
-    ASSERT_EQ(with.labels().size(), 3U);
-    EXPECT_EQ(with.labels()[1].voxels, with.labels()[2].voxels);
+    const CavityLabels apart = label_cavities_apart(survey, shells);
+    ASSERT_EQ(apart.survey.labels().size(), 3U);
+    EXPECT_EQ(apart.survey.labels()[1].voxels, apart.survey.labels()[2].voxels); // the ball is background
+    EXPECT_EQ(apart.stands_for, (std::vector<PartitionLabel>{0, 1, 0, 0}));
+}
+
+//! A block of label 1 that lies in label 2, with voxels of label 2 in it: one by itself, and two that touch
+//! label 2 outside at an edge and at a corner.
+Volume block_with_guests()
+{
+    std::vector<std::uint8_t> samples;
+    for (int k = 0; k < 16; ++k)
+        for (int j = 0; j < 16; ++j)
+            for (int i = 0; i < 16; ++i)
+            {
+                const int rim = std::min({i, j, k, 15 - i, 15 - j, 15 - k});
+                samples.push_back(rim >= 4 ? 1 : rim >= 1 ? 2 : 0);
+            }
+    const auto at = [](int i, int j, int k) { return sample_at(i, j, k, 16, 16); };
+    samples[at(8, 8, 8)] = 2;
+    // Dents, whose bottoms are outside, and voxels that touch these.
+    samples[at(4, 6, 6)] = 2;
+    samples[at(5, 7, 6)] = 2;
+    samples[at(4, 9, 9)] = 2;
+    samples[at(5, 10, 10)] = 2;
+    return make_volume({.size = {16, 16, 16}, .spacing = kUnit, .direction = {}, .origin = {}},
+                       std::move(samples));
+}
+
+TEST(InterfaceMeshing,
+     voxels_of_a_neighbour_are_cavities_though_they_touch_the_rest_of_it_at_edges_and_corners)
+{
+    const LabelSurvey survey(block_with_guests());
+    ASSERT_EQ(count_cavities(survey, 0), 3U);
+    ASSERT_EQ(survey.labels()[1].parts.size(), 2U);
+    const auto meshes = mesh_jointly(survey);
+    for (const auto& [place, label] : meshes)
+    {
+        EXPECT_TRUE(label.complete());
+        EXPECT_EQ(label.cavities_meshed, label.cavities_expected);
+        EXPECT_NEAR(label.mesh_volume, label.voxel_volume, 0.02 * label.voxel_volume);
+    }
+    EXPECT_EQ(meshes.at(0).parts_in_pieces, 0U);
+    EXPECT_EQ(meshes.at(1).parts_in_pieces, 1U); // the one outside, of which the two guests are
+}
+
+TEST(SmallParts, that_touch_what_stands_for_the_same_may_not_grow)
+{
+    const LabelSurvey survey(block_with_guests());
+    const CavityLabels apart = label_cavities_apart(survey, all_labels(survey));
+    const std::vector<std::uint32_t> alone = small_parts_alone(apart);
+    std::vector<SampleIndex> first_voxels;
+    first_voxels.reserve(alone.size());
+    for (const std::uint32_t part : alone)
+        first_voxels.push_back(apart.survey.parts()[part].first_voxel);
+    EXPECT_EQ(std::count(first_voxels.begin(), first_voxels.end(), SampleIndex{8, 8, 8}), 1);
+    EXPECT_EQ(std::count(first_voxels.begin(), first_voxels.end(), SampleIndex{5, 7, 6}), 0);
+    EXPECT_EQ(std::count(first_voxels.begin(), first_voxels.end(), SampleIndex{5, 10, 10}), 0);
+
+    // Holes of background: those that touch none of it at edges and corners.
+    const LabelSurvey block(pierced_block());
+    const CavityLabels holes = label_cavities_apart(block, all_labels(block));
+    std::size_t growing = 0;
+    for (const std::uint32_t part : small_parts_alone(holes))
+        growing += holes.stands_for[holes.survey.parts()[part].label + 1] == 0 ? 1 : 0;
+    EXPECT_EQ(growing, 2U);
+}
+
+TEST(LabelPartition, parts_have_the_volume_of_their_voxels_once_they_are_balanced)
+{
+    std::vector<std::uint8_t> samples(std::size_t{16} * 16 * 16, 1);
+    const auto at = [](int i, int j, int k) { return sample_at(i, j, k, 16, 16); };
+    samples[at(4, 4, 4)] = 2;
+    samples[at(10, 10, 4)] = samples[at(11, 11, 4)] = samples[at(12, 11, 5)] = 3;
+    for (int i = 4; i < 10; ++i)
+        samples[at(i, 11, 11)] = 4;
+    const LabelSurvey survey(make_volume(
+        {.size = {16, 16, 16}, .spacing = kUnit, .direction = {}, .origin = {}}, std::move(samples)));
+    LabelPartition partition(survey, all_labels(survey), kUnit);
+    const auto volume_of = [&](PartitionLabel label)
+    {
+        constexpr int kFine = 8;
+        std::size_t points = 0;
+        for (int n = 0; n < 16 * 16 * 16 * kFine * kFine * kFine; ++n)
+        {
+            const auto place = [](int digit) { return (digit % (16 * kFine) + 0.5) / kFine - 0.5; };
+            const Point3 p{place(n), place(n / (16 * kFine)), place(n / (16 * kFine) / (16 * kFine))};
+            points += partition.label(p) == label ? 1 : 0;
+        }
+        return static_cast<double>(points) / (kFine * kFine * kFine);
+    };
+    EXPECT_LT(volume_of(2), 0.6);
+    partition.balance(survey, {1, 2, 3});
+    EXPECT_NEAR(volume_of(2), 1.0, 0.3); // to the grain of 27 points a voxel
+    EXPECT_NEAR(volume_of(3), 3.0, 0.6);
+    EXPECT_NEAR(volume_of(4), 6.0, 0.6);
 }
 
 TEST(LabelCavities, are_counted_as_a_flood_through_faces_does)
@@ -302,9 +423,9 @@ TEST(LabelCavities, are_counted_as_a_flood_through_faces_does)
 TEST(InterfaceMeshing, the_same_labels_give_the_same_mesh_wherever_memory_lies)
 {
     const LabelSurvey survey(random_labels({40, 40, 40}, 6, 1));
-    const LabelPartition partition(survey, all_labels(survey), kUnit);
-    const auto mesh = [&]
-    { return mesh_interfaces(survey, all_labels(survey), kUnit, partition, kCriteria); };
+    const CavityLabels apart = label_cavities_apart(survey, all_labels(survey));
+    const LabelPartition partition(apart.survey, all_labels(apart.survey), kUnit);
+    const auto mesh = [&] { return mesh_interfaces(survey, apart, kUnit, partition, kCriteria); };
     const InterfaceMesh first = mesh();
     // Freed blocks in the heap's way: what is allocated now has other places, and another order of them.
     std::vector<std::unique_ptr<std::vector<char>>> blocks;
@@ -319,6 +440,20 @@ TEST(InterfaceMeshing, the_same_labels_give_the_same_mesh_wherever_memory_lies)
                            [](const InterfaceFace& a, const InterfaceFace& b) {
                                return a.vertices == b.vertices && a.front == b.front && a.behind == b.behind;
                            }));
+}
+
+TEST(InterfaceMeshing, no_two_vertices_are_one_but_for_rounding)
+{
+    const LabelSurvey survey(random_labels({20, 20, 20}, 6, 1));
+    const CavityLabels apart = label_cavities_apart(survey, all_labels(survey));
+    const LabelPartition partition(apart.survey, all_labels(apart.survey), kUnit);
+    const InterfaceMesh mesh = mesh_interfaces(survey, apart, kUnit, partition, kCriteria);
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const InterfaceFace& face : mesh.faces)
+        for (std::size_t i = 0; i < 3; ++i)
+            shortest = std::min(shortest, distance(mesh.vertices[face.vertices[i]],
+                                                   mesh.vertices[face.vertices[(i + 1) % 3]]));
+    EXPECT_GT(shortest, 1e-3); // a millionth would be lost in 32-bit coordinates
 }
 
 TEST(InterfaceMeshing, random_label_maps_give_closed_meshes_and_list_what_is_not_there)

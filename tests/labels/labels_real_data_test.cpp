@@ -1,13 +1,20 @@
 //! Real label maps, where they are at hand: VOROPROBE_DATA, or ../shared/data beside the sources.
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <numeric>
+#include <optional>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include "io/volume_reader.h"
+#include "labels/joint_meshing.h"
 #include "labels/label_meshing.h"
 #include "labels/label_survey.h"
+#include "mesh/topology.h"
 
 namespace voroprobe
 {
@@ -71,6 +78,77 @@ TEST(LabelsRealData, every_nucleus_is_meshed_with_its_volume)
                 });
     EXPECT_EQ(meshed, 33U);
 }
+
+class WholeMap : public testing::TestWithParam<KnownMap>
+{
+protected:
+    void SetUp() override
+    {
+        const std::filesystem::path path = path_of(GetParam().file);
+        if (!std::filesystem::exists(path))
+            GTEST_SKIP() << "needs " << path;
+        const Volume volume = read_volume(path).volume;
+        survey_.emplace(volume);
+        spacing_ = volume.geometry.spacing;
+        places_.resize(survey_->labels().size());
+        std::iota(places_.begin(), places_.end(), 0);
+    }
+
+    //! As `voroprobe mesh --labels all` chooses them.
+    [[nodiscard]] MeshingOptions criteria() const
+    {
+        const double shortest = std::min({spacing_.x, spacing_.y, spacing_.z});
+        return {.max_facet_radius = 2.0 * std::cbrt(spacing_.x * spacing_.y * spacing_.z),
+                .max_facet_distance = 0.3 * shortest,
+                .floor_radius = 0.25 * shortest,
+                .reach_lower_bound = shortest};
+    }
+
+    void expect_whole(const LabelMesh& label)
+    {
+        EXPECT_TRUE(label.complete());
+        EXPECT_EQ(label.parts_meshed, survey_->labels()[label.label].parts.size());
+        EXPECT_LT(std::abs(label.volume_change()), 0.02);
+        EXPECT_EQ(analyze_topology(label.mesh).boundary_edges, 0U);
+        parts_ += label.parts_meshed;
+        cavities_expected_ += label.cavities_expected;
+        cavities_meshed_ += label.cavities_meshed;
+    }
+
+    std::optional<LabelSurvey> survey_;
+    Vec3 spacing_;
+    std::vector<std::uint32_t> places_;
+    std::size_t parts_ = 0;
+    std::size_t cavities_expected_ = 0;
+    std::size_t cavities_meshed_ = 0;
+};
+
+TEST_P(WholeMap, has_every_part_and_cavity_of_every_label_with_its_volume)
+{
+    mesh_labels(
+        *survey_, places_, spacing_,
+        {.criteria = criteria(),
+         .smoothing = {.method = SmoothingMethod::kGaussian, .sigma = 0.5 * criteria().max_facet_radius}},
+        0, nullptr, [&](const LabelMesh& label) { expect_whole(label); });
+    EXPECT_EQ(parts_, GetParam().parts);
+    EXPECT_EQ(cavities_meshed_, cavities_expected_);
+}
+
+TEST_P(WholeMap, has_every_part_with_its_volume_and_nearly_every_cavity_where_interfaces_are_shared)
+{
+    mesh_labels_jointly(*survey_, places_, spacing_, criteria(), nullptr,
+                        [&](const LabelMesh& label) { expect_whole(label); });
+    EXPECT_EQ(parts_, GetParam().parts);
+    EXPECT_LE(cavities_meshed_, cavities_expected_);
+    EXPECT_GE(static_cast<double>(cavities_meshed_), 0.98 * static_cast<double>(cavities_expected_));
+}
+
+INSTANTIATE_TEST_SUITE_P(Nightly, WholeMap, testing::ValuesIn(kMaps),
+                         [](const auto& map)
+                         {
+                             const std::string file = map.param.file;
+                             return file.substr(0, file.find('_'));
+                         });
 
 } // namespace
 } // namespace voroprobe
