@@ -1,17 +1,17 @@
 #include "bench/isolated_run.h"
 
-#include <cstring>
-#include <ctime>
-#include <stdexcept>
-#include <type_traits>
+#include <algorithm>
 
 #include <malloc.h>
+#include <sys/resource.h>
 
-#include "compare/process_pool.h"
-#include "mesh/measures.h"
+#include "bench/child_record.h"
+#include "bench/processor_time.h"
+#include "compare/measurement.h"
 #include "mesh/topology.h"
 #include "support/memory.h"
 #include "support/stopwatch.h"
+#include "support/thread_limit.h"
 
 namespace voroprobe::bench
 {
@@ -19,70 +19,69 @@ namespace voroprobe::bench
 namespace
 {
 
-static_assert(std::is_trivially_copyable_v<RunRecord>);
-
-void add_checks(const TriangleMesh& mesh, double angle_bound_deg, RunRecord& record)
+//! Largest of the programs that this process has waited for, bytes: all that was theirs.
+std::size_t peak_memory_of_programs()
 {
-    const AngleMeasures angles = measure_angles(mesh);
-    record.min_angle_deg = angles.min_deg;
-    record.mean_min_angle_deg = angles.mean_min_deg;
-    record.faces_below_angle_bound = count_faces_below_angle(mesh, angle_bound_deg);
-
-    const MeshTopology topology = analyze_topology(mesh);
-    record.components = topology.components;
-    record.boundary_edges = topology.boundary_edges;
-    record.non_manifold_edges = topology.non_manifold_edges;
-    record.non_manifold_vertices = topology.non_manifold_vertices;
-    record.misoriented_edges = topology.misoriented_edges;
-    record.area = area(mesh);
+    rusage usage{};
+    getrusage(RUSAGE_CHILDREN, &usage);
+    return static_cast<std::size_t>(usage.ru_maxrss) * 1024; // Linux counts kilobytes
 }
 
-double cpu_seconds()
+void add_measurement(const TriangleMesh& mesh, const ReferenceSurface& reference, RunRecord& record)
 {
-    timespec time{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    const Measurement measured = measure(mesh, reference, {});
+    const MeshCheck& check = measured.check;
+    record.mean_edge_length = measured.shapes.mean_edge_length;
+    record.min_angle_deg = check.angles.min_deg;
+    record.mean_min_angle_deg = check.angles.mean_min_deg;
+    record.faces_below_30_deg = check.faces_below_angle_bound.value_or(0);
+    record.pieces = check.topology.components;
+    record.boundary_edges = check.topology.boundary_edges;
+    record.non_manifold_edges = check.topology.non_manifold_edges;
+    record.non_manifold_vertices = check.topology.non_manifold_vertices;
+    record.misoriented_edges = check.topology.misoriented_edges;
+    record.self_intersections = check.self_intersections.size() - check.flat_faces;
+    record.area = check.area;
+    record.surfaces_there = measured.certificate.surfaces_expected;
+    record.surfaces_found = measured.certificate.surfaces_meshed;
+    const TwoSidedDistance distance = two_sided(measured.certificate.distance);
+    record.distance_max = distance.max;
+    record.distance_mean = distance.mean;
+    record.distance_root_mean_square = distance.root_mean_square;
 }
 
-RunRecord run(const Entry& entry, const MeshingTask& task, Checks checks)
+RunRecord run(const Entry& entry, MeshingTask task, const ReferenceSurface& reference, Checks checks)
 {
+    const ThreadLimit limit(entry.threads); // for those that take as many threads as there are
+    task.threads = entry.threads;
     const auto contestant = entry.make(task);
     malloc_trim(0); // memory freed before must not be there to be used again unseen
     RunRecord record;
     const std::size_t before = peak_memory_bytes();
 
-    const double cpu_before = cpu_seconds();
+    const double cpu_before = processor_seconds();
     const Stopwatch stopwatch;
     StageClock stages;
     contestant->mesh(stages);
     record.wall_seconds = stopwatch.seconds();
-    record.cpu_seconds = cpu_seconds() - cpu_before;
+    record.cpu_seconds = processor_seconds() - cpu_before;
 
-    record.peak_memory_bytes = peak_memory_bytes() - before;
-    const TriangleMesh mesh = contestant->result();
+    record.peak_memory_bytes = std::max(peak_memory_bytes() - before, peak_memory_of_programs());
+    const TriangleMesh mesh = weld(contestant->result());
     record.vertices = mesh.vertices.size();
     record.faces = mesh.faces.size();
-    if (checks == Checks::kAll)
-        add_checks(mesh, task.min_facet_angle_deg, record);
+    if (checks == Checks::kAll && entry.kind == Kind::kMesher && !mesh.faces.empty())
+        add_measurement(mesh, reference, record);
     return record;
 }
 
 } // namespace
 
-RunRecord run_isolated(const Entry& contestant, const MeshingTask& task, Checks checks)
+RunRecord run_isolated(const Entry& contestant, const MeshingTask& task, const ReferenceSurface& reference,
+                       Checks checks)
 {
-    const ChildResult result = run_in_child(
-        [&](ChildOutput& output)
-        {
-            const RunRecord record = run(contestant, task, checks);
-            output.send({reinterpret_cast<const char*>(&record), sizeof record});
-        });
-    if (result.failure || result.parts.size() != 1)
-        throw std::runtime_error(contestant.name +
-                                 " did not finish: " + result.failure.value_or("it sent nothing"));
-    RunRecord record;
-    std::memcpy(&record, result.parts.front().data(), sizeof record);
-    return record;
+    return record_from_child<RunRecord>(contestant.name,
+                                        [&] { return run(contestant, task, reference, checks); });
 }
 
 } // namespace voroprobe::bench

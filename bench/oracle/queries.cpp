@@ -91,6 +91,31 @@ std::vector<Segment3> segments_near_surface(const Subject& subject, double lengt
     return segments;
 }
 
+enum class Meets
+{
+    kSurface,
+    kNothing
+};
+
+//! Those that meet the surface, or those that do not, as often as it takes to have as many as there were.
+std::vector<Segment3> only(Meets meets, const Subject& subject, const std::vector<Segment3>& segments)
+{
+    std::vector<Segment3> chosen;
+    std::vector<Crossing> crossings;
+    for (const Segment3& segment : segments)
+    {
+        subject.oracle->find_crossings(segment, crossings);
+        if (crossings.empty() == (meets == Meets::kNothing))
+            chosen.push_back(segment);
+    }
+    if (chosen.empty())
+        throw UsageError("no segments of this kind in this volume");
+    const std::size_t count = chosen.size();
+    for (std::size_t i = 0; chosen.size() < kQueries; ++i)
+        chosen.push_back(chosen[i % count]);
+    return chosen;
+}
+
 void time_segments(benchmark::State& state, const SurfaceOracle& oracle,
                    const std::vector<Segment3>& segments)
 {
@@ -122,12 +147,15 @@ void register_all(const Subject& subject)
         benchmark::RegisterBenchmark(name, [&oracle, segments](benchmark::State& state)
                                      { time_segments(state, oracle, segments); });
     };
+    const auto near = segments_near_surface(subject, 4.0, 2.0);
+    add("segment/hit", only(Meets::kSurface, subject, near));
+    add("segment/miss", only(Meets::kNothing, subject, near));
+    add("segment/short_dual_edge", segments_near_surface(subject, 0.25, 0.1));
     add("segment/1_voxel_at_surface", segments_near_surface(subject, 1.0, 0.5));
-    add("segment/4_voxels_at_surface", segments_near_surface(subject, 4.0, 2.0));
+    add("segment/4_voxels_at_surface", near);
     add("segment/4_voxels_within_10", segments_near_surface(subject, 4.0, 10.0));
     add("segment/20_voxels_at_surface", segments_near_surface(subject, 20.0, 10.0));
     add("segment/200_voxels_at_surface", segments_near_surface(subject, 200.0, 50.0));
-    const auto near = segments_near_surface(subject, 4.0, 2.0);
     const auto within_10 = segments_near_surface(subject, 4.0, 10.0);
     benchmark::RegisterBenchmark("region/at_surface", [&oracle, near](benchmark::State& state)
                                  { time_regions(state, oracle, near); });
