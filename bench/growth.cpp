@@ -2,7 +2,6 @@
 // surfaces to many: one scan with falling size, and lattices of spheres.
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <iomanip>
 #include <iostream>
 #include <optional>
@@ -11,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "bench/growth_run.h"
+#include "bench/run_program.h"
 #include "bench/subject.h"
 #include "support/error.h"
 #include "volume/phantoms.h"
@@ -180,14 +180,10 @@ int main(int argc, char** argv)
     CLI::App app("Time per vertex and per surface as meshes grow, one thread");
     voroprobe::bench::add_options(app, options);
     CLI11_PARSE(app, argc, argv);
-    try
-    {
-        voroprobe::bench::run(options);
-    }
-    catch (const std::exception& error)
-    {
-        std::cerr << "bench_growth: " << error.what() << '\n';
-        return 1;
-    }
-    return 0;
+    return voroprobe::bench::run_program("bench_growth",
+                                         [&]
+                                         {
+                                             voroprobe::bench::run(options);
+                                             return 0;
+                                         });
 }

@@ -7,11 +7,11 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <iostream>
 #include <memory>
 
 #include <benchmark/benchmark.h>
 
+#include "bench/run_program.h"
 #include "io/volume_reader.h"
 #include "oracles/region_bricks.h"
 #include "support/error.h"
@@ -108,13 +108,5 @@ int run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
-    try
-    {
-        return voroprobe::run(argc, argv);
-    }
-    catch (const std::exception& error)
-    {
-        std::cerr << error.what() << '\n';
-        return 1;
-    }
+    return voroprobe::bench::run_program("bench_inventory", [&] { return voroprobe::run(argc, argv); });
 }

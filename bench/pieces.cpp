@@ -7,11 +7,11 @@
 // order, and the parts of the certificate. bench_oracle_queries and bench_inventory have the others.
 
 #include <cstdlib>
-#include <iostream>
 #include <memory>
 
 #include <benchmark/benchmark.h>
 
+#include "bench/run_program.h"
 #include "bench/subject.h"
 #include "certificate/certificate.h"
 #include "certificate/mesh_check.h"
@@ -151,13 +151,5 @@ int run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
-    try
-    {
-        return voroprobe::bench::run(argc, argv);
-    }
-    catch (const std::exception& error)
-    {
-        std::cerr << "bench_pieces: " << error.what() << '\n';
-        return 1;
-    }
+    return voroprobe::bench::run_program("bench_pieces", [&] { return voroprobe::bench::run(argc, argv); });
 }

@@ -2,13 +2,13 @@
 // it, or in a domain many times larger.
 #include <algorithm>
 #include <ctime>
-#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
+#include "bench/run_program.h"
 #include "io/volume_reader.h"
 #include "mesher/seeded_mesher.h"
 #include "oracles/trilinear_oracle.h"
@@ -189,13 +189,5 @@ int main(int argc, char** argv)
     app.add_option("--threads", options.threads)->capture_default_str();
     app.add_option("--repeat", options.repeat, "runs; the quickest counts")->capture_default_str();
     CLI11_PARSE(app, argc, argv);
-    try
-    {
-        return voroprobe::bench::run(options);
-    }
-    catch (const std::exception& error)
-    {
-        std::cerr << "bench_probing: " << error.what() << '\n';
-        return 1;
-    }
+    return voroprobe::bench::run_program("bench_probing", [&] { return voroprobe::bench::run(options); });
 }

@@ -2,16 +2,15 @@
 #include <array>
 #include <cstddef>
 #include <cstdlib>
-#include <exception>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "bench/run_program.h"
 #include "io/volume_reader.h"
 #include "support/error.h"
 
@@ -102,14 +101,10 @@ int main(int argc, char** argv)
     app.add_option("OUTPUT", options.output, "NRRD file; N^3 times the samples, in their own type")
         ->required();
     CLI11_PARSE(app, argc, argv);
-    try
-    {
-        voroprobe::bench::tile(options);
-        return 0;
-    }
-    catch (const std::exception& error)
-    {
-        std::cerr << "bench_tile_volume: " << error.what() << '\n';
-        return 1;
-    }
+    return voroprobe::bench::run_program("bench_tile_volume",
+                                         [&]
+                                         {
+                                             voroprobe::bench::tile(options);
+                                             return 0;
+                                         });
 }

@@ -2,7 +2,6 @@
 // are timed, and what was measured held against what is asked of us.
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <fstream>
 #include <iostream>
 #include <optional>
@@ -12,6 +11,7 @@
 
 #include "bench/contest.h"
 #include "bench/contestants.h"
+#include "bench/run_program.h"
 #include "bench/standings.h"
 #include "bench/subject.h"
 #include "bench/targets.h"
@@ -182,19 +182,10 @@ int main(int argc, char** argv)
     CLI::App app("One volume meshed by us and by others, results checked before they are timed");
     voroprobe::bench::add_options(app, options);
     CLI11_PARSE(app, argc, argv);
-    try
-    {
-        voroprobe::bench::run_benchmark(options);
-    }
-    catch (const voroprobe::Error& error)
-    {
-        std::cerr << "bench: " << error.what() << '\n';
-        return static_cast<int>(error.status());
-    }
-    catch (const std::exception& error)
-    {
-        std::cerr << "bench: " << error.what() << '\n';
-        return 1;
-    }
-    return 0;
+    return voroprobe::bench::run_program("bench_versus",
+                                         [&]
+                                         {
+                                             voroprobe::bench::run_benchmark(options);
+                                             return 0;
+                                         });
 }

@@ -174,6 +174,7 @@ Json seeding_json(const MeshingStatistics& statistics)
 Json work_json(const MeshingStatistics& statistics)
 {
     return {{"insertions", statistics.insertions},
+            {"insertions_side_by_side", statistics.insertions_side_by_side},
             {"stale_queue_entries", statistics.stale_queue_entries},
             {"facets_at_floor", statistics.facets_at_floor},
             {"uncovered_points", statistics.uncovered_points},

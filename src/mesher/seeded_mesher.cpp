@@ -169,8 +169,7 @@ private:
     }
 
     //! Gives points to the surfaces of the inventory without facets, and lowers the floor where facets do not
-    //! lie on one surface or a region is in pieces. False when there is nothing left to
-    //! pursue.
+    //! lie on one surface or a region is in pieces. False when there is nothing left to pursue.
     bool pursue_inventory(int round)
     {
         if (!may_pursue_inventory() || round > kInventoryRounds)
