@@ -55,7 +55,12 @@ public:
         return vertices_on_surfaces_;
     }
 
-    //! Takes back what was done for handles at any of the vertices; false where there was nothing.
+    //! Surfaces of the inventory that none of these vertices is on; none where settle() was not to look at
+    //! handles.
+    [[nodiscard]] std::vector<SurfaceId> surfaces_without_vertices() const;
+
+    //! Takes back what was done for handles at any of the vertices, and joins regions that fall apart
+    //! thereby; false where there was nothing.
     bool undo_handles_at(std::span<const VertexHandle> vertices);
 
     //! Gives up the inside around the vertices: the surface no longer passes there.
