@@ -20,23 +20,25 @@ std::uint32_t next_in_face(std::uint32_t half_edge)
     return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1;
 }
 
-std::vector<BoundaryFace> collect_faces(const RestrictedDelaunay& restricted)
+std::vector<BoundaryFace> collect_faces(const CellTable& table)
 {
     std::vector<BoundaryFace> faces;
-    for (const DelaunayCell delaunay_cell : restricted.triangulation().all_cell_handles())
+    for (CellTable::Number c = 0; c < table.size(); ++c)
     {
-        if (!inside(delaunay_cell)) // infinite cells are outside
+        if (!is_inside(table.region(c))) // infinite cells are outside
             continue;
-        for (int i = 0; i < 4; ++i)
+        for (std::size_t i = 0; i < 4; ++i)
         {
-            const DelaunayCell outside = delaunay_cell->neighbor(i);
-            if (inside(outside))
+            const CellTable::Number next = table.neighbors(c)[i];
+            if (is_inside(table.region(next)))
                 continue;
             // The table of facets has served: from here on both sides of the facet name its face.
+            const DelaunayCell delaunay_cell = table.cell(c);
+            const DelaunayCell outside = table.cell(next);
             const auto face = static_cast<std::uint32_t>(faces.size());
-            delaunay_cell->info().facet[static_cast<std::size_t>(i)] = face;
+            delaunay_cell->info().facet[i] = face;
             outside->info().facet[static_cast<std::size_t>(outside->index(delaunay_cell))] = face;
-            faces.push_back({delaunay_cell, i});
+            faces.push_back({delaunay_cell, static_cast<int>(i)});
         }
     }
     return faces;
@@ -142,10 +144,10 @@ bool joined_at_edge(const RestrictedDelaunay& restricted, DelaunayCell delaunay_
     return is_inside(restricted.oracle().region(0.5 * (position(a) + position(b))));
 }
 
-BoundaryComplex collect_boundary(const RestrictedDelaunay& restricted)
+BoundaryComplex collect_boundary(const RestrictedDelaunay& restricted, const CellTable& table)
 {
     BoundaryComplex complex;
-    complex.faces = collect_faces(restricted);
+    complex.faces = collect_faces(table);
     CHECK_LT(complex.faces.size(), std::numeric_limits<std::uint32_t>::max() / 3);
     complex.partner = pair_half_edges(restricted, complex.faces);
     UnionFind corners = join_corners(complex.faces, complex.partner);

@@ -50,7 +50,7 @@ void RegionSettlement::take_in_new_cells()
         }
         forget();
     }
-    table_.emplace(restricted_.triangulation());
+    table_.emplace(restricted_.triangulation(), workers_);
 }
 
 //! Refinement may have looked at them, but not with the regions that were settled.

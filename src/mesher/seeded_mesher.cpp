@@ -49,7 +49,7 @@ public:
           refinement_(restricted_, options_, workers_, statistics_, &deadline_),
           seed_candidates_(restricted_, options_, refinement_, statistics_),
           cell_probing_(restricted_, options_, workers_, statistics_, deadline_),
-          settlement_(restricted_, options_)
+          settlement_(restricted_, options_, workers_)
     {
     }
 
