@@ -26,7 +26,7 @@ constexpr std::size_t kPrefetchDistance = 4;
 
 // Dual edges that one thread asks about in a row, and cells whose facets are asked about side by side.
 constexpr std::size_t kQueriesAtOnce = 256;
-constexpr std::size_t kCellsQueriedAtOnce = 1U << 14U;
+constexpr std::size_t kCellsQueriedAtOnce = 1U << 11U;
 
 bool has_unqueried_facet(DelaunayCell delaunay_cell)
 {
