@@ -152,6 +152,14 @@ std::vector<VertexHandle> corners_of(const std::vector<DelaunayCell>& delaunay_c
     return corners;
 }
 
+std::vector<Point3> positions_by_index(const RestrictedDelaunay& restricted)
+{
+    std::vector<Point3> positions(restricted.vertex_index_bound());
+    for (const VertexHandle vertex : restricted.triangulation().finite_vertex_handles())
+        positions[vertex->info().index] = position(vertex);
+    return positions;
+}
+
 } // namespace
 
 DoubledEuler doubled_euler_around(const RestrictedDelaunay& restricted,
@@ -178,6 +186,8 @@ MeshedSurfaces find_meshed_surfaces(const RestrictedDelaunay& restricted, const 
     const SurfaceOracle& oracle = restricted.oracle();
     MeshedSurfaces found{std::vector<long>(oracle.surface_count(), 0), {}};
     std::vector<SurfaceId> surface_of_vertex(restricted.vertex_index_bound(), kNoSurface); // one of its own
+    const std::vector<Point3> positions = positions_by_index(restricted);
+    double squared_longest_side = 0.0;
     for (CellTable::Number c = 0; c < table.size(); ++c)
     {
         for (std::size_t i = 0; is_inside(table.region(c)) && i < 4; ++i)
@@ -189,9 +199,16 @@ MeshedSurfaces find_meshed_surfaces(const RestrictedDelaunay& restricted, const 
                 continue;
             --found.doubled_euler[static_cast<std::size_t>(surface)];
             for (std::size_t k = 1; k < 4; ++k)
-                surface_of_vertex[table.corners(c)[(i + k) % 4]] = surface;
+            {
+                const std::uint32_t corner = table.corners(c)[(i + k) % 4];
+                const std::uint32_t next = table.corners(c)[(i + k % 3 + 1) % 4];
+                surface_of_vertex[corner] = surface;
+                squared_longest_side =
+                    std::max(squared_longest_side, squared_distance(positions[corner], positions[next]));
+            }
         }
     }
+    found.longest_side = std::sqrt(squared_longest_side);
     for (const VertexHandle vertex : restricted.triangulation().finite_vertex_handles())
     {
         const SurfaceId surface = surface_of_vertex[vertex->info().index];

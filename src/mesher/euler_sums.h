@@ -23,6 +23,7 @@ struct MeshedSurfaces
 {
     std::vector<long> doubled_euler;    //!< by surface
     std::vector<SurfacePoint> vertices; //!< of the mesh, once for each surface that they are on
+    double longest_side = 0.0;          //!< of a facet, scan units
 };
 
 //! Needs VertexData::pinched. Cost: O(Delaunay cells).

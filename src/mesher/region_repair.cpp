@@ -18,10 +18,10 @@ namespace voroprobe
 namespace
 {
 
-constexpr int kPasses = 8;                       // each looks at what the one before has changed
-constexpr int kSweeps = 8;                       // of the search for fewer conflicts, in a pass
-constexpr std::size_t kLongestSearch = 50'000;   // Delaunay cells looked at for one bridge
-constexpr double kDiscountInRegion = 1.0 / 32.0; // of the way through a cell that lies in the region
+constexpr int kPasses = 8;                        // each looks at what the one before has changed
+constexpr int kSweeps = 8;                        // of the search for fewer conflicts, in a pass
+constexpr std::size_t kLongestSearch = 2'000'000; // Delaunay cells looked at for one bridge
+constexpr double kDiscountInRegion = 1.0 / 32.0;  // of the way through a cell that lies in the region
 
 constexpr double kPriceOfConflict = 8.0; // of the way through a cell next to a region that own is not
 

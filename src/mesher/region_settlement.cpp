@@ -22,6 +22,9 @@ constexpr std::size_t kFewNecksOfPieces = 1024;
 // default floor.
 constexpr double kLongestSideInFloors = 6.0;
 
+// Times that regions are joined again after the inside was given up somewhere.
+constexpr int kCarvingsRepaired = 4;
+
 //! The outside region next to a cell, or else next to its region.
 Region region_outside(const SurfaceOracle& oracle, DelaunayCell delaunay_cell)
 {
@@ -166,6 +169,7 @@ void RegionSettlement::settle_handles()
 {
     MeshedSurfaces meshed = find_meshed_surfaces(restricted_, *table_);
     vertices_on_surfaces_ = std::move(meshed.vertices);
+    longest_side_ = meshed.longest_side;
     lacking_ = lacking_euler(restricted_.oracle(), std::move(meshed.doubled_euler));
     if (!lacks_any())
         return;
@@ -312,6 +316,9 @@ void RegionSettlement::carve(std::span<const VertexHandle> vertices)
                 delaunay_cell->vertex(i)->info().pinched = true; // as far as is known
         }
     }
+    if (++carvings_ <= kCarvingsRepaired)
+        repair();
+    changes_before_angles_ = table_->changes().size(); // undoing handles does not bring it back
 }
 
 void RegionSettlement::count(MeshingStatistics& statistics) const

@@ -55,6 +55,9 @@ public:
         return vertices_on_surfaces_;
     }
 
+    //! Of a facet of the mesh, scan units; found with the vertices.
+    [[nodiscard]] double longest_side() const { return longest_side_; }
+
     //! Surfaces of the inventory that none of these vertices is on; none where settle() was not to look at
     //! handles.
     [[nodiscard]] std::vector<SurfaceId> surfaces_without_vertices() const;
@@ -63,7 +66,8 @@ public:
     //! thereby; false where there was nothing.
     bool undo_handles_at(std::span<const VertexHandle> vertices);
 
-    //! Gives up the inside around the vertices: the surface no longer passes there.
+    //! Gives up the inside around the vertices: the surface no longer passes there. Joins regions that fall
+    //! apart thereby, but not for ever: the way may lead through the same place again.
     void carve(std::span<const VertexHandle> vertices);
 
     //! All cells with their regions as they are now. After settle().
@@ -99,12 +103,14 @@ private:
     RegionRepairMemory regions_;
     HandleMemory handles_;
     std::vector<SurfacePoint> vertices_on_surfaces_;
+    double longest_side_ = 0.0;
     std::vector<long> lacking_; //!< see lacking_euler(); empty where it was not asked for
     std::vector<HandleChange> handle_changes_;
     std::size_t changes_before_angles_ = 0; //!< of the table
     std::vector<CoarseNeck> coarse_necks_;
     std::vector<Neck> other_missed_necks_;
     RegionRepairReport report_;
+    int carvings_ = 0;
     std::size_t cells_relabelled_ = 0;
     std::size_t cells_relabelled_for_angles_ = 0;
 };

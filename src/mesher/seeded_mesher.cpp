@@ -234,14 +234,14 @@ private:
     //! a quarter of the spacing in each round.
     void find_uncovered(int round)
     {
-        const double radius = options_.max_facet_radius;
+        const double radius = std::min(2.0 * options_.max_facet_radius,
+                                       settlement_.longest_side() + options_.reach_lower_bound);
         const double spacing =
-            std::max(std::ldexp(radius, 2 - 2 * round), kLeastSpacingInFloors * options_.floor_radius);
+            std::max(std::ldexp(radius, 1 - 2 * round), kLeastSpacingInFloors * options_.floor_radius);
         const std::span<const SurfacePoint> vertices = settlement_.vertices_on_surfaces();
-        uncovered_ = round == 1
-                         ? find_uncovered_points(oracle_, vertices, 2.0 * radius, spacing, options_.threads)
-                         : find_uncovered_points_near(std::move(uncovered_), oracle_, vertices, 2.0 * radius,
-                                                      spacing, options_.threads);
+        uncovered_ = round == 1 ? find_uncovered_points(oracle_, vertices, radius, spacing, options_.threads)
+                                : find_uncovered_points_near(std::move(uncovered_), oracle_, vertices, radius,
+                                                             spacing, options_.threads);
         statistics_.uncovered_points += uncovered_.size();
     }
 
