@@ -417,11 +417,20 @@ private:
         const Region region = table_.region(cell);
         if (region == own)
             return 0.0;
-        if (table_.is_infinite(cell) || is_inside(region) == is_inside(own))
+        if (table_.is_infinite(cell) || is_inside(region) == is_inside(own) ||
+            (is_inside(own) && is_given_up(cell)))
             return std::nullopt;
         const double length = longest_edge(corner_positions(table_.cell(cell))) *
                               (1.0 + kPriceOfConflict * conflicts(cell, own));
         return oracle_.region(middle(cell)) == own ? kDiscountInRegion * length : length;
+    }
+
+    [[nodiscard]] bool is_given_up(Number cell) const
+    {
+        const std::vector<std::uint32_t>& vertices = memory_.given_up;
+        return std::any_of(table_.corners(cell).begin(), table_.corners(cell).end(),
+                           [&](std::uint32_t corner)
+                           { return std::find(vertices.begin(), vertices.end(), corner) != vertices.end(); });
     }
 
     void change_region(Number cell, Region region)

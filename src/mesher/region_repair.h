@@ -29,6 +29,7 @@ struct RegionRepairMemory
     std::vector<CellTable::Number> suspects;    //!< next to regions that do not touch theirs in the scan
     std::size_t changes_seen = 0;               //!< of the table
     std::optional<RegionComponents> components; //!< unset: have to be found anew
+    std::vector<std::uint32_t> given_up; //!< indices of vertices around which no inside region may be joined
 };
 
 //! To be called before CellTable::update() ...

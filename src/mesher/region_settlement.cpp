@@ -304,6 +304,7 @@ void RegionSettlement::carve(std::span<const VertexHandle> vertices)
     std::vector<DelaunayCell> star;
     for (const VertexHandle vertex : vertices)
     {
+        regions_.given_up.push_back(vertex->info().index);
         star.clear();
         restricted_.triangulation().incident_cells(vertex, std::back_inserter(star));
         for (const DelaunayCell delaunay_cell : star)

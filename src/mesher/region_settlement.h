@@ -67,7 +67,7 @@ public:
     bool undo_handles_at(std::span<const VertexHandle> vertices);
 
     //! Gives up the inside around the vertices: the surface no longer passes there. Joins regions that fall
-    //! apart thereby, but not for ever: the way may lead through the same place again.
+    //! apart thereby elsewhere, but not for ever.
     void carve(std::span<const VertexHandle> vertices);
 
     //! All cells with their regions as they are now. After settle().

@@ -72,6 +72,7 @@ TEST(CertifiedVolumesOnceFailed, lose_no_surface_and_gain_none)
     expect_certified(VolumeKind::kIntegers, 19, 19, kLargestSideNightly);
     expect_certified(VolumeKind::kIntegers, 213, 213, kLargestSideNightly);
     expect_certified(VolumeKind::kIntegers, 437, 437, kLargestSideNightly);
+    expect_certified(VolumeKind::kIntegers, 618, 618, kLargestSideNightly);
     expect_certified(VolumeKind::kThinSheets, 620, 620, kLargestSideNightly);
     expect_certified(VolumeKind::kThroughBorder, 192, 192, kLargestSideNightly);
     expect_certified(VolumeKind::kSpecks, 453, 453, kLargestSideNightly);
