@@ -4,6 +4,7 @@
 #include <map>
 
 #include "certificate/complaints.h"
+#include "certificate/face_tree.h"
 #include "certificate/kept_surfaces.h"
 #include "certificate/mesh_pieces.h"
 #include "certificate/mesh_sides.h"
@@ -48,7 +49,7 @@ class Certification
 public:
     Certification(const TriangleMesh& mesh, const SurfaceOracle& oracle,
                   std::span<const ScanSurface> surfaces, const CertificateOptions& options)
-        : mesh_(mesh), oracle_(oracle), surfaces_(surfaces), options_(options),
+        : mesh_(mesh), oracle_(oracle), surfaces_(surfaces), options_(options), tree_(mesh),
           pieces_(split_into_pieces(mesh)), surface_of_piece_(pieces_.pieces.size(), kNoSurface),
           evidence_(surfaces.size()), expected_(surfaces.size(), true)
     {
@@ -193,10 +194,10 @@ private:
         std::vector<Point3> middles;
         for (const Neck& neck : necks)
             middles.push_back(neck.middle);
-        const std::vector<bool> enclosed = enclosed_by(mesh_, middles);
+        const std::vector<std::uint8_t> enclosed = enclosed_by(tree_, middles);
         for (std::size_t n = 0; n < necks.size(); ++n)
         {
-            if (enclosed[n] == is_inside(necks[n].region))
+            if ((enclosed[n] != 0) == is_inside(necks[n].region))
                 continue;
             for (const SurfaceId id : necks[n].surfaces)
             {
@@ -238,7 +239,7 @@ private:
             certificate_.closed = certificate_.closed && (pieces_.pieces[piece].closed() || rim_is_allowed);
         }
         if (options_.test_self_intersections)
-            certificate_.self_intersections = self_intersections(mesh_).size();
+            certificate_.self_intersections = self_intersections(tree_).size();
     }
 
     void measure()
@@ -259,7 +260,7 @@ private:
         sampling.box = box.empty() ? std::nullopt : std::optional(box);
         const KeptSurfaces kept(oracle_, expected_);
         const SurfaceOracle& expected = certificate_.dropped.empty() ? oracle_ : kept;
-        certificate_.distance = surface_distance(mesh_, expected, sampling, surface_points);
+        certificate_.distance = surface_distance(tree_, expected, sampling, surface_points);
         certificate_.criteria_exceptions = count_exceptions(mesh_, expected, options_.criteria);
     }
 
@@ -273,6 +274,7 @@ private:
     const SurfaceOracle& oracle_;
     std::span<const ScanSurface> surfaces_;
     const CertificateOptions& options_;
+    FaceTree tree_;
     MeshPieces pieces_;
     std::vector<SurfaceId> surface_of_piece_;
     std::vector<Evidence> evidence_; //!< by surface

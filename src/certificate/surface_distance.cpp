@@ -6,9 +6,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 
-#include "certificate/mesh_distance.h"
 #include "certificate/mesh_samples.h"
 #include "mesh/measures.h"
 #include "support/random.h"
@@ -215,12 +213,12 @@ DirectedDistance distance_from_mesh(const TriangleMesh& mesh, const SurfaceOracl
 }
 
 DirectedDistance distance_from_surface(const std::vector<Point3>& lines_points,
-                                       const std::vector<Point3>& given, const MeshDistance& distance_to_mesh)
+                                       const std::vector<Point3>& given, const FaceTree& tree)
 {
     const auto distances_to_mesh = [&](const std::vector<Point3>& points)
     {
         return distances_of(
-            points.size(), [] { return 0; }, [&](std::size_t i, int) { return distance_to_mesh(points[i]); });
+            points.size(), [] { return 0; }, [&](std::size_t i, int) { return tree.distance(points[i]); });
     };
     DirectedDistance result;
     take_largest(
@@ -274,20 +272,22 @@ std::vector<Point3> sample_surface(const SurfaceOracle& oracle, const SamplingOp
 SurfaceDistance surface_distance(const TriangleMesh& mesh, const SurfaceOracle& oracle,
                                  const SamplingOptions& options, std::span<const Point3> surface_points)
 {
+    return surface_distance(FaceTree(mesh), oracle, options, surface_points);
+}
+
+SurfaceDistance surface_distance(const FaceTree& tree, const SurfaceOracle& oracle,
+                                 const SamplingOptions& options, std::span<const Point3> surface_points)
+{
     const std::vector<Point3> points = sample_surface(oracle, options);
     const std::vector<Point3> given(surface_points.begin(), surface_points.end());
-    if (!(area(mesh) > 0.0))
+    if (!(area(tree.mesh()) > 0.0))
         return {.from_mesh = {},
                 .from_surface =
                     points.empty() && given.empty() ? DirectedDistance{} : infinitely_far(points)};
     std::vector<Point3> all = points;
     all.insert(all.end(), given.begin(), given.end());
-    SurfaceDistance result;
-    std::optional<MeshDistance> distance_to_mesh; // its tree takes longest, and one core
-    tbb::parallel_invoke([&] { distance_to_mesh.emplace(mesh); },
-                         [&] { result.from_mesh = distance_from_mesh(mesh, oracle, options, all); });
-    result.from_surface = distance_from_surface(points, given, *distance_to_mesh);
-    return result;
+    return {.from_mesh = distance_from_mesh(tree.mesh(), oracle, options, all),
+            .from_surface = distance_from_surface(points, given, tree)};
 }
 
 } // namespace voroprobe
