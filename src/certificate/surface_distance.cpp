@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include "certificate/mesh_samples.h"
+#include "certificate/space_order.h"
 #include "mesh/measures.h"
 #include "support/random.h"
 
@@ -217,8 +218,12 @@ DirectedDistance distance_from_surface(const std::vector<Point3>& lines_points,
 {
     const auto distances_to_mesh = [&](const std::vector<Point3>& points)
     {
-        return distances_of(
-            points.size(), [] { return 0; }, [&](std::size_t i, int) { return tree.distance(points[i]); });
+        // Neighbours look into the same boxes.
+        const std::vector<std::uint32_t> order = order_in_space(points);
+        std::vector<double> distances(points.size());
+        tbb::parallel_for(std::size_t{0}, order.size(),
+                          [&](std::size_t i) { distances[order[i]] = tree.distance(points[order[i]]); });
+        return distances;
     };
     DirectedDistance result;
     take_largest(
