@@ -1,7 +1,9 @@
 #include "mesher/boundary_complex.h"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "mesher/edge_turn.h"
 #include "support/check.h"
@@ -20,26 +22,66 @@ std::uint32_t next_in_face(std::uint32_t half_edge)
     return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1;
 }
 
-std::vector<BoundaryFace> collect_faces(const RestrictedDelaunay& restricted)
+//! The vertices of the triangulation by their indices.
+struct VertexTable
 {
-    std::vector<BoundaryFace> faces;
-    for (const DelaunayCell delaunay_cell : restricted.triangulation().all_cell_handles())
+    explicit VertexTable(const RestrictedDelaunay& restricted)
+        : handle(restricted.vertex_index_bound()), pinched(restricted.vertex_index_bound(), 0)
     {
-        if (!inside(delaunay_cell)) // infinite cells are outside
-            continue;
-        for (int i = 0; i < 4; ++i)
+        for (const VertexHandle vertex : restricted.triangulation().finite_vertex_handles())
         {
-            const DelaunayCell outside = delaunay_cell->neighbor(i);
-            if (inside(outside))
-                continue;
-            // The table of facets has served: from here on both sides of the facet name its face.
-            const auto face = static_cast<std::uint32_t>(faces.size());
-            delaunay_cell->info().facet[static_cast<std::size_t>(i)] = face;
-            outside->info().facet[static_cast<std::size_t>(outside->index(delaunay_cell))] = face;
-            faces.push_back({delaunay_cell, i});
+            handle[vertex->info().index] = vertex;
+            pinched[vertex->info().index] = vertex->info().pinched ? 1 : 0;
         }
     }
-    return faces;
+
+    std::vector<VertexHandle> handle;
+    std::vector<std::uint8_t> pinched;
+};
+
+//! Boundary faces with the indices of their corners, in the order of corner(), and those of them with a
+//! pinched one: what is special about the others need not be looked for.
+struct FoundFaces
+{
+    std::vector<BoundaryFace> faces;
+    std::vector<std::array<std::uint32_t, 3>> corners;
+    std::vector<std::uint32_t> pinched;
+};
+
+FoundFaces find_faces(const CellTable& table, const VertexTable& vertices)
+{
+    FoundFaces found;
+    for (CellTable::Number c = 0; c < table.size(); ++c)
+    {
+        if (!is_inside(table.region(c))) // infinite cells are outside
+            continue;
+        for (std::size_t i = 0; i < 4; ++i)
+        {
+            if (is_inside(table.region(table.neighbors(c)[i])))
+                continue;
+            std::array<std::uint32_t, 3> corners{};
+            for (std::size_t k = 0; k < 3; ++k)
+                corners[k] = table.corners(c)[static_cast<std::size_t>(kOutwardCorners[i][k])];
+            if (std::any_of(corners.begin(), corners.end(),
+                            [&](std::uint32_t corner) { return vertices.pinched[corner] != 0; }))
+                found.pinched.push_back(static_cast<std::uint32_t>(found.faces.size()));
+            found.faces.push_back({table.cell(c), static_cast<int>(i)});
+            found.corners.push_back(corners);
+        }
+    }
+    return found;
+}
+
+//! The table of facets has served: from here on both sides of the facets name their faces.
+void name_pinched_faces(const FoundFaces& found)
+{
+    for (const std::uint32_t f : found.pinched)
+    {
+        const auto& [inner, index] = found.faces[f];
+        const DelaunayCell outer = inner->neighbor(index);
+        inner->info().facet[static_cast<std::size_t>(index)] = f;
+        outer->info().facet[static_cast<std::size_t>(outer->index(inner))] = f;
+    }
 }
 
 //! The face of the odd facet that next_odd_facet() finds.
@@ -85,38 +127,43 @@ std::uint32_t corner_number(const std::vector<BoundaryFace>& faces, std::uint32_
 
 //! The partner of each half-edge with an end at a pinched vertex; kUnnumbered for the others, whose edge has
 //! two faces only.
-std::vector<std::uint32_t> pair_half_edges(const RestrictedDelaunay& restricted,
-                                           const std::vector<BoundaryFace>& faces)
+std::vector<std::uint32_t> pair_half_edges(const RestrictedDelaunay& restricted, const FoundFaces& found)
 {
-    std::vector<std::uint32_t> partners(3 * faces.size(), kUnnumbered);
+    std::vector<std::uint32_t> partners(3 * found.faces.size(), kUnnumbered);
     const EdgePairing pairing(restricted);
-    for (std::uint32_t half_edge = 0; half_edge < partners.size(); ++half_edge)
+    for (const std::uint32_t f : found.pinched)
     {
-        if (partners[half_edge] != kUnnumbered)
-            continue; // the partner's partner
-        const BoundaryFace& face = faces[half_edge / 3];
-        const VertexHandle a = corner(face, half_edge % 3);
-        const VertexHandle b = corner(face, next_in_face(half_edge) % 3);
-        if (!a->info().pinched && !b->info().pinched)
-            continue;
-        const std::uint32_t partner =
-            corner_number(faces, pairing.partner_across(face, a, b), b); // runs from b to a
-        partners[half_edge] = partner;
-        partners[partner] = half_edge;
+        const BoundaryFace& face = found.faces[f];
+        for (std::uint32_t half_edge = 3 * f; half_edge < 3 * f + 3; ++half_edge)
+        {
+            if (partners[half_edge] != kUnnumbered)
+                continue; // the partner's partner
+            const VertexHandle a = corner(face, half_edge % 3);
+            const VertexHandle b = corner(face, next_in_face(half_edge) % 3);
+            if (!a->info().pinched && !b->info().pinched)
+                continue;
+            const std::uint32_t partner =
+                corner_number(found.faces, pairing.partner_across(face, a, b), b); // runs from b to a
+            partners[half_edge] = partner;
+            partners[partner] = half_edge;
+        }
     }
     return partners;
 }
 
 //! Corners joined across paired edges.
-UnionFind join_corners(const std::vector<BoundaryFace>& faces, const std::vector<std::uint32_t>& partners)
+UnionFind join_corners(const FoundFaces& found, const std::vector<std::uint32_t>& partners)
 {
-    UnionFind corners(3 * faces.size());
-    for (std::uint32_t half_edge = 0; half_edge < partners.size(); ++half_edge)
+    UnionFind corners(3 * found.faces.size());
+    for (const std::uint32_t f : found.pinched)
     {
-        if (partners[half_edge] == kUnnumbered)
-            continue;
-        corners.unite(next_in_face(half_edge), partners[half_edge]);
-        corners.unite(half_edge, next_in_face(partners[half_edge]));
+        for (std::uint32_t half_edge = 3 * f; half_edge < 3 * f + 3; ++half_edge)
+        {
+            if (partners[half_edge] == kUnnumbered)
+                continue;
+            corners.unite(next_in_face(half_edge), partners[half_edge]);
+            corners.unite(half_edge, next_in_face(partners[half_edge]));
+        }
     }
     return corners;
 }
@@ -142,38 +189,41 @@ bool joined_at_edge(const RestrictedDelaunay& restricted, DelaunayCell delaunay_
     return is_inside(restricted.oracle().region(0.5 * (position(a) + position(b))));
 }
 
-BoundaryComplex collect_boundary(const RestrictedDelaunay& restricted)
+BoundaryComplex collect_boundary(const RestrictedDelaunay& restricted, const CellTable& table)
 {
+    const VertexTable vertices(restricted);
+    FoundFaces found = find_faces(table, vertices);
+    CHECK_LT(found.faces.size(), std::numeric_limits<std::uint32_t>::max() / 3);
+    name_pinched_faces(found);
     BoundaryComplex complex;
-    complex.faces = collect_faces(restricted);
-    CHECK_LT(complex.faces.size(), std::numeric_limits<std::uint32_t>::max() / 3);
-    complex.partner = pair_half_edges(restricted, complex.faces);
-    UnionFind corners = join_corners(complex.faces, complex.partner);
+    complex.partner = pair_half_edges(restricted, found);
+    UnionFind corners = join_corners(found, complex.partner);
 
     // One mesh vertex for each vertex with one umbrella, and for each set of corners at a pinched one.
-    std::vector<std::uint32_t> number_of_vertex(restricted.vertex_index_bound(), kUnnumbered);
-    std::vector<std::uint32_t> number_of_corners(3 * complex.faces.size(), kUnnumbered);
-    complex.mesh.faces.reserve(complex.faces.size());
-    complex.origin_of_face.reserve(complex.faces.size());
-    for (std::uint32_t f = 0; f < complex.faces.size(); ++f)
+    std::vector<std::uint32_t> number_of_vertex(vertices.handle.size(), kUnnumbered);
+    std::vector<std::uint32_t> number_of_corners(3 * found.faces.size(), kUnnumbered);
+    complex.mesh.faces.reserve(found.faces.size());
+    complex.origin_of_face.reserve(found.faces.size());
+    for (std::uint32_t f = 0; f < found.faces.size(); ++f)
     {
         TriangleMesh::Face face;
         for (std::uint32_t k = 0; k < 3; ++k)
         {
-            const VertexHandle vertex = corner(complex.faces[f], k);
-            std::uint32_t& number = vertex->info().pinched ? number_of_corners[corners.find(3 * f + k)]
-                                                           : number_of_vertex[vertex->info().index];
+            const std::uint32_t vertex = found.corners[f][k];
+            std::uint32_t& number = vertices.pinched[vertex] != 0 ? number_of_corners[corners.find(3 * f + k)]
+                                                                  : number_of_vertex[vertex];
             if (number == kUnnumbered)
             {
                 number = static_cast<std::uint32_t>(complex.mesh.vertices.size());
-                complex.mesh.vertices.push_back(position(vertex));
-                complex.vertex_of_copy.push_back(vertex);
+                complex.mesh.vertices.push_back(position(vertices.handle[vertex]));
+                complex.vertex_of_copy.push_back(vertices.handle[vertex]);
             }
             face[k] = number;
         }
         complex.mesh.faces.push_back(face);
         complex.origin_of_face.push_back(f);
     }
+    complex.faces = std::move(found.faces);
     return complex;
 }
 

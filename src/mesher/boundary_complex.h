@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesh/triangle_mesh.h"
+#include "mesher/cell_table.h"
 #include "mesher/restricted_delaunay.h"
 
 namespace voroprobe
@@ -49,7 +50,8 @@ inline VertexHandle corner(const BoundaryFace& face, std::size_t k)
 }
 
 //! Collects the odd facets and pairs them across each edge. Where more than two share an edge the oracle
-//! decides which belong together (joined_at_edge). Needs VertexData::pinched. Cost: O(Delaunay cells).
-BoundaryComplex collect_boundary(const RestrictedDelaunay& restricted);
+//! decides which belong together (joined_at_edge). Needs VertexData::pinched. \pre The table is up to date.
+//! Cost: O(Delaunay cells).
+BoundaryComplex collect_boundary(const RestrictedDelaunay& restricted, const CellTable& table);
 
 } // namespace voroprobe

@@ -14,6 +14,9 @@ namespace
 // How many cells ahead the neighbours of the next are asked for: they lie anywhere in memory.
 constexpr std::size_t kPrefetchDistance = 16;
 
+// That one thread takes in in a row.
+constexpr std::size_t kCellsAtOnce = 4096;
+
 std::array<std::uint32_t, 4> corner_indices(DelaunayCell delaunay_cell)
 {
     return {delaunay_cell->vertex(0)->info().index, delaunay_cell->vertex(1)->info().index,
@@ -24,13 +27,11 @@ constexpr auto kNewCell = std::numeric_limits<CellTable::Number>::max();
 
 } // namespace
 
-CellTable::CellTable(const Triangulation& triangulation)
+CellTable::CellTable(const Triangulation& triangulation, const Workers& workers)
     : triangulation_(&triangulation), vertices_seen_(triangulation.number_of_vertices())
 {
     const std::size_t count = triangulation.tds().cells().size();
     cells_.reserve(count);
-    neighbors_.reserve(count);
-    corners_.reserve(count);
     is_infinite_.reserve(count);
     regions_.reserve(count);
     for (const DelaunayCell delaunay_cell : triangulation.all_cell_handles())
@@ -38,18 +39,19 @@ CellTable::CellTable(const Triangulation& triangulation)
         delaunay_cell->info().scratch = size();
         cells_.push_back(delaunay_cell);
         regions_.push_back(delaunay_cell->info().region);
-        corners_.push_back(corner_indices(delaunay_cell));
         is_infinite_.push_back(triangulation.is_infinite(delaunay_cell));
     }
-    for (std::size_t c = 0; c < cells_.size(); ++c)
+    corners_.resize(count);
+    neighbors_.resize(count);
+    const auto connect = [&](std::size_t c)
     {
         for (int i = 0; c + kPrefetchDistance < cells_.size() && i < 4; ++i)
             __builtin_prefetch(&cells_[c + kPrefetchDistance]->neighbor(i)->info().scratch);
-        std::array<Number, 4> around{};
+        corners_[c] = corner_indices(cells_[c]);
         for (int i = 0; i < 4; ++i)
-            around[static_cast<std::size_t>(i)] = number(cells_[c]->neighbor(i));
-        neighbors_.push_back(around);
-    }
+            neighbors_[c][static_cast<std::size_t>(i)] = number(cells_[c]->neighbor(i));
+    };
+    workers.for_each(count, connect, kCellsAtOnce);
 }
 
 void CellTable::set_region(Number c, Region region)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesher/delaunay.h"
+#include "support/workers.h"
 
 namespace voroprobe
 {
@@ -20,7 +21,7 @@ public:
     using Number = std::uint32_t;
 
     //! Cost: O(Delaunay cells). The triangulation must outlive the object.
-    explicit CellTable(const Triangulation& triangulation);
+    CellTable(const Triangulation& triangulation, const Workers& workers);
 
     [[nodiscard]] Number size() const { return static_cast<Number>(cells_.size()); }
     [[nodiscard]] DelaunayCell cell(Number c) const { return cells_[c]; }

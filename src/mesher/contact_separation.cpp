@@ -21,17 +21,33 @@ constexpr int kHalvings = 6;          // of a move whose faces cross others, bef
 constexpr int kDirectionSteps = 200;  // of the search for a direction behind all faces of an umbrella
 constexpr double kLeastMargin = 0.02; // sine of the least angle between a move and the faces it leaves
 
+//! The index of the Delaunay vertex that each mesh vertex is a copy of; kNoIndex for one inside an edge.
+constexpr auto kNoIndex = std::numeric_limits<std::uint32_t>::max();
+std::vector<std::uint32_t> indices_of_copies(const BoundaryComplex& complex)
+{
+    std::vector<std::uint32_t> indices;
+    indices.reserve(complex.vertex_of_copy.size());
+    for (const VertexHandle vertex : complex.vertex_of_copy)
+        indices.push_back(vertex == VertexHandle() ? kNoIndex : vertex->info().index);
+    return indices;
+}
+
 //! Mesh faces by the indices of the Delaunay vertices of the boundary faces they are pieces of.
 Grouping<std::uint32_t> faces_around_vertices(const RestrictedDelaunay& restricted,
                                               const BoundaryComplex& complex)
 {
+    const std::vector<std::uint32_t> index = indices_of_copies(complex);
     return {restricted.vertex_index_bound(), [&](auto&& visit)
             {
                 for (std::uint32_t m = 0; m < complex.mesh.faces.size(); ++m)
                 {
-                    const BoundaryFace& face = complex.faces[complex.origin_of_face[m]];
+                    const TriangleMesh::Face& face = complex.mesh.faces[m];
+                    const bool is_whole = std::all_of(face.begin(), face.end(),
+                                                      [&](std::uint32_t v) { return index[v] != kNoIndex; });
                     for (std::size_t k = 0; k < 3; ++k)
-                        visit(corner(face, k)->info().index, m);
+                        visit(is_whole ? index[face[k]]
+                                       : corner(complex.faces[complex.origin_of_face[m]], k)->info().index,
+                              m);
                 }
             }};
 }

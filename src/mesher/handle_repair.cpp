@@ -185,6 +185,7 @@ private:
     {
         const DelaunayCell delaunay_cell = table_.cell(cell);
         if (!may_change(delaunay_cell, other) ||
+            longest_side_on_other_side(delaunay_cell) > longest_allowed_ ||
             oracle_.region(centroid(corner_positions(delaunay_cell))) != other ||
             !touches_surface_elsewhere(delaunay_cell))
             return false;
@@ -193,6 +194,18 @@ private:
         if (good)
             make({cell}, other, tried.gained);
         return good;
+    }
+
+    //! Of the facets of the cell that would be odd if it were on the other side: those that are not.
+    [[nodiscard]] static double longest_side_on_other_side(DelaunayCell delaunay_cell)
+    {
+        double squared = 0.0;
+        for (int i = 0; i < 4; ++i)
+        {
+            if (!separates_sides(delaunay_cell, i))
+                squared = std::max(squared, squared_longest_side(delaunay_cell, i));
+        }
+        return std::sqrt(squared);
     }
 
     //! Whether an edge of the cell that is on none of its odd facets is on others. If not, the surface only

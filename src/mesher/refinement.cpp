@@ -111,7 +111,7 @@ bool Refinement::find_unresolved_facets()
 // Adds the facets that break the manifold criterion to the queue; false where there is none.
 bool Refinement::find_pinched_vertices()
 {
-    const UmbrellaFindings findings = check_umbrellas(restricted_, criteria_);
+    const UmbrellaFindings findings = check_umbrellas(restricted_, criteria_, workers_);
     isolated_vertices_.insert(isolated_vertices_.end(), findings.isolated_vertices.begin(),
                               findings.isolated_vertices.end());
     for (const FacetId id : findings.bad_facets)

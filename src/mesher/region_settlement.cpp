@@ -50,7 +50,7 @@ void RegionSettlement::take_in_new_cells()
         }
         forget();
     }
-    table_.emplace(restricted_.triangulation());
+    table_.emplace(restricted_.triangulation(), workers_);
 }
 
 //! Refinement may have looked at them, but not with the regions that were settled.
@@ -251,6 +251,20 @@ void RegionSettlement::add_where_few(const std::vector<Neck>& others, std::vecto
                  { return std::any_of(neck.surfaces.begin(), neck.surfaces.end(), lacks_with_few); });
 }
 
+std::vector<SurfaceId> RegionSettlement::surfaces_without_vertices() const
+{
+    std::vector<bool> has_vertex(lacking_.size(), false);
+    for (const SurfacePoint& vertex : vertices_on_surfaces_)
+        has_vertex[static_cast<std::size_t>(vertex.surface)] = true;
+    std::vector<SurfaceId> surfaces;
+    for (std::size_t surface = 0; surface < has_vertex.size(); ++surface)
+    {
+        if (!has_vertex[surface])
+            surfaces.push_back(static_cast<SurfaceId>(surface));
+    }
+    return surfaces;
+}
+
 bool RegionSettlement::undo_handles_at(std::span<const VertexHandle> vertices)
 {
     const auto is_at = [&](const HandleChange& change)
@@ -276,6 +290,7 @@ bool RegionSettlement::undo_handles_at(std::span<const VertexHandle> vertices)
             lacking_[static_cast<std::size_t>(surface)] += sum;
         handle_changes_.erase(handle_changes_.begin() + static_cast<std::ptrdiff_t>(c));
     }
+    repair(); // what is undone may have held a region together
     improve_angles();
     return true;
 }

@@ -20,9 +20,9 @@ namespace voroprobe
 class RegionSettlement
 {
 public:
-    //! Both must outlive the object.
-    RegionSettlement(RestrictedDelaunay& restricted, const MeshingOptions& options)
-        : restricted_(restricted), options_(options)
+    //! All must outlive the object.
+    RegionSettlement(RestrictedDelaunay& restricted, const MeshingOptions& options, const Workers& workers)
+        : restricted_(restricted), options_(options), workers_(workers)
     {
     }
 
@@ -55,11 +55,19 @@ public:
         return vertices_on_surfaces_;
     }
 
-    //! Takes back what was done for handles at any of the vertices; false where there was nothing.
+    //! Surfaces of the inventory that none of these vertices is on; none where settle() was not to look at
+    //! handles.
+    [[nodiscard]] std::vector<SurfaceId> surfaces_without_vertices() const;
+
+    //! Takes back what was done for handles at any of the vertices, and joins regions that fall apart
+    //! thereby; false where there was nothing.
     bool undo_handles_at(std::span<const VertexHandle> vertices);
 
     //! Gives up the inside around the vertices: the surface no longer passes there.
     void carve(std::span<const VertexHandle> vertices);
+
+    //! All cells with their regions as they are now. After settle().
+    [[nodiscard]] const CellTable& table() const { return *table_; }
 
     //! Says what settle() and finish() did.
     void count(MeshingStatistics& statistics) const;
@@ -84,6 +92,7 @@ private:
 
     RestrictedDelaunay& restricted_;
     const MeshingOptions& options_;
+    const Workers& workers_;
     std::optional<CellTable> table_;           //!< from the first look at all cells on
     bool is_settled_ = false;                  //!< but for new cells
     std::vector<CellTable::Number> new_cells_; //!< since the regions were settled

@@ -26,7 +26,7 @@ constexpr std::size_t kPrefetchDistance = 4;
 
 // Dual edges that one thread asks about in a row, and cells whose facets are asked about side by side.
 constexpr std::size_t kQueriesAtOnce = 256;
-constexpr std::size_t kCellsQueriedAtOnce = 1U << 14U;
+constexpr std::size_t kCellsQueriedAtOnce = 1U << 11U;
 
 bool has_unqueried_facet(DelaunayCell delaunay_cell)
 {
@@ -297,19 +297,33 @@ void RestrictedDelaunay::forget_dead_postponed_cells()
     postponed_limit_ = std::max<std::size_t>(2 * postponed.size(), kLeastPostponedLimit);
 }
 
+// While the facets of some cells are asked about those of the next ones are gathered.
 void RestrictedDelaunay::query_even_facets(const Workers& workers)
 {
-    std::vector<DelaunayCell>& postponed = workspace_.postponed_cells;
     workspace_.changed_facets.clear();
-    std::vector<Unqueried> unqueried;
-    std::vector<RestrictedFacet> found;
-    for (std::size_t begin = 0; begin < postponed.size(); begin += kCellsQueriedAtOnce)
+    std::span<const DelaunayCell> postponed = workspace_.postponed_cells;
+    const auto take_next = [&]
     {
-        const std::size_t end = std::min(begin + kCellsQueriedAtOnce, postponed.size());
-        take_unqueried_facets({postponed.data() + begin, end - begin}, unqueried);
+        const std::size_t count = std::min(postponed.size(), kCellsQueriedAtOnce);
+        const auto next = postponed.first(count);
+        postponed = postponed.subspan(count);
+        return take_unqueried_facets(next);
+    };
+    std::vector<Unqueried> next = take_next();
+    std::vector<RestrictedFacet> found;
+    while (!next.empty() || !postponed.empty())
+    {
+        const std::vector<Unqueried> unqueried = std::exchange(next, {});
         found.assign(unqueried.size(), {});
+        const auto query_batch = [&](std::size_t batch)
+        {
+            const std::size_t end = std::min((batch + 1) * kQueriesAtOnce, unqueried.size());
+            for (std::size_t i = batch * kQueriesAtOnce; i < end; ++i)
+                query(unqueried[i], found[i]);
+        };
+        const std::size_t batches = (unqueried.size() + kQueriesAtOnce - 1) / kQueriesAtOnce;
         workers.for_each(
-            unqueried.size(), [&](std::size_t i) { query(unqueried[i], found[i]); }, kQueriesAtOnce);
+            1 + batches, [&](std::size_t i) { i == 0 ? void(next = take_next()) : query_batch(i - 1); }, 1);
         statistics_.queries_refinement += unqueried.size();
         for (std::size_t i = 0; i < unqueried.size(); ++i)
         {
@@ -317,14 +331,14 @@ void RestrictedDelaunay::query_even_facets(const Workers& workers)
                 add_facet(unqueried[i].delaunay_cell, found[i], workspace_);
         }
     }
-    postponed.clear();
+    workspace_.postponed_cells.clear();
 }
 
 // Until the oracle has answered, the facets count as not crossed.
-void RestrictedDelaunay::take_unqueried_facets(std::span<const DelaunayCell> delaunay_cells,
-                                               std::vector<Unqueried>& facets)
+std::vector<RestrictedDelaunay::Unqueried>
+RestrictedDelaunay::take_unqueried_facets(std::span<const DelaunayCell> delaunay_cells)
 {
-    facets.clear();
+    std::vector<Unqueried> facets;
     const auto is_used = [&](DelaunayCell delaunay_cell)
     {
         return triangulation_.tds().cells().is_used(
@@ -351,6 +365,7 @@ void RestrictedDelaunay::take_unqueried_facets(std::span<const DelaunayCell> del
             next->info().facet[static_cast<std::size_t>(next->index(delaunay_cell))] = kNoFacet;
         }
     }
+    return facets;
 }
 
 void RestrictedDelaunay::query(const Unqueried& unqueried, RestrictedFacet& facet) const

@@ -54,7 +54,7 @@ public:
     VertexHandle insert(const Insertion& insertion, VertexOrigin origin, InsertionWorkspace& workspace);
 
     //! Makes what the threads have left one thing, in the order of the workspaces. The stocks stay with them.
-    void end_round(std::span<InsertionWorkspace* const> workspaces);
+    void end_round(std::span<InsertionWorkspace* const> workspaces, const Workers& workers);
 
     //! Takes the stocks back.
     void take_back(InsertionWorkspace& workspace);
@@ -138,9 +138,9 @@ private:
     static void postpone_unqueried_facets(InsertionWorkspace& workspace);
     void forget_dead_postponed_cells();
     void fill_stock(InsertionWorkspace& workspace, std::size_t insertions);
-    void close_ranks(InsertionWorkspace::Stock& stock);
+    void close_ranks(InsertionWorkspace::Stock& stock, std::uint32_t shift);
     void count(InsertionWorkspace& workspace);
-    void take_unqueried_facets(std::span<const DelaunayCell> delaunay_cells, std::vector<Unqueried>& facets);
+    std::vector<Unqueried> take_unqueried_facets(std::span<const DelaunayCell> delaunay_cells);
     void query(const Unqueried& unqueried, RestrictedFacet& facet) const;
     void add_facet(DelaunayCell delaunay_cell, RestrictedFacet facet, InsertionWorkspace& workspace);
     static void mark_unchecked(const RestrictedFacet& facet, InsertionWorkspace& workspace);

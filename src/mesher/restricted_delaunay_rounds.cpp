@@ -56,11 +56,18 @@ bool RestrictedDelaunay::has_enough(const InsertionWorkspace& workspace, const I
            workspace.free_facets.size() >= insertion.new_facets().size();
 }
 
-void RestrictedDelaunay::end_round(std::span<InsertionWorkspace* const> workspaces)
+void RestrictedDelaunay::end_round(std::span<InsertionWorkspace* const> workspaces, const Workers& workers)
 {
+    std::vector<std::uint32_t> shifts;
+    for (const InsertionWorkspace* const workspace : workspaces)
+    {
+        shifts.push_back(workspace->stock.first_index - vertex_index_bound_);
+        vertex_index_bound_ += static_cast<std::uint32_t>(workspace->stock.new_vertices.size());
+    }
+    workers.for_each(
+        workspaces.size(), [&](std::size_t w) { close_ranks(workspaces[w]->stock, shifts[w]); }, 1);
     for (InsertionWorkspace* const workspace : workspaces)
     {
-        close_ranks(workspace->stock);
         for (const DelaunayCell at_sentinel : workspace->stock.cell_of_sentinel)
         {
             for (int i = 0; at_sentinel != DelaunayCell() && i < 4; ++i)
@@ -78,11 +85,8 @@ void RestrictedDelaunay::end_round(std::span<InsertionWorkspace* const> workspac
 }
 
 // Indices of vertices follow each other: those of one subdomain are moved down to those of the one before.
-void RestrictedDelaunay::close_ranks(InsertionWorkspace::Stock& stock)
+void RestrictedDelaunay::close_ranks(InsertionWorkspace::Stock& stock, std::uint32_t shift)
 {
-    const std::uint32_t first = stock.first_index;
-    const std::uint32_t shift = first - vertex_index_bound_;
-    vertex_index_bound_ += static_cast<std::uint32_t>(stock.new_vertices.size());
     if (shift == 0)
         return;
     for (const VertexHandle vertex : stock.new_vertices)
@@ -93,7 +97,7 @@ void RestrictedDelaunay::close_ranks(InsertionWorkspace::Stock& stock)
     for (const FacetId id : stock.new_facets)
     {
         for (std::uint32_t& vertex : facets_[id].vertices)
-            vertex -= vertex >= first ? shift : 0;
+            vertex -= vertex >= stock.first_index ? shift : 0;
     }
 }
 

@@ -49,7 +49,7 @@ public:
           refinement_(restricted_, options_, workers_, statistics_, &deadline_),
           seed_candidates_(restricted_, options_, refinement_, statistics_),
           cell_probing_(restricted_, options_, workers_, statistics_, deadline_),
-          settlement_(restricted_, options_)
+          settlement_(restricted_, options_, workers_)
     {
     }
 
@@ -191,11 +191,11 @@ private:
                seeds > 0;
     }
 
-    //! Gives points to parts of surfaces that the mesh does not come to, and to the necks of the scan that
-    //! labels alone could not put right, half as far apart in each round: a region as thin as a hair holds
-    //! together where its two sides have points as close. Lowers the floor there, if that is not the first
-    //! time, and where a region is in pieces; and refines. False where there is no such place; else the
-    //! regions are unsettled.
+    //! Gives points to surfaces that refinement has lost again, to parts of surfaces that the mesh does not
+    //! come to, and to the necks of the scan that labels alone could not put right, half as far apart in each
+    //! round: a region as thin as a hair holds together where its two sides have points as close. Lowers the
+    //! floor there, if that is not the first time, and where a region is in pieces; and refines. False where
+    //! there is no such place; else the regions are unsettled.
     bool pursue_flaws(int round)
     {
         if (!may_pursue_inventory() || round > kFlawRounds || !flaws_yield_)
@@ -212,13 +212,16 @@ private:
                 points_around(settlement_.necks_to_refine(), spacing, oracle_);
             points.insert(points.end(), at_necks.begin(), at_necks.end());
         }
-        if (points.empty() && !has_gaps)
+        const std::vector<SurfaceId> lost = settlement_.surfaces_without_vertices();
+        if (points.empty() && lost.empty() && !has_gaps)
             return false;
         settlement_.unsettle();
         std::vector<Point3> places;
         if (has_gaps)
             places = settlement_.find_gaps();
-        const std::size_t seeds = seed_points(points, spacing, restricted_, refinement_);
+        const std::size_t seeds =
+            seed_surfaces(lost, kSeedsPerSurface << (2 * round), Seeds::kOnRays, oracle_, refinement_) +
+            seed_points(points, spacing, restricted_, refinement_);
         if (round > 1 || seeds == 0)
             places.insert(places.end(), points.begin(), points.end());
         flaws_yield_ = refinement_.lower_floor(places, round) || seeds > 0;

@@ -68,7 +68,7 @@ void SideBySideRefinement::refine(BadFacetQueue& bad_facets)
     restricted_.begin_round(workspaces, most);
     workers_.for_each(
         parts_.size(), [&](std::size_t i) { refine(*parts_[i], most); }, 1);
-    restricted_.end_round(workspaces);
+    restricted_.end_round(workspaces, workers_);
     gather(bad_facets);
     axis_ = (axis_ + 1) % 3;
 }

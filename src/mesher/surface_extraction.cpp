@@ -43,7 +43,7 @@ ExtractedSurface extract_surface(const RestrictedDelaunay& restricted, RegionSet
                                  const MeshingOptions& options, MeshingStatistics& statistics)
 {
     statistics.facets_at_floor = restricted.count_unresolved_facets();
-    BoundaryComplex complex = collect_boundary(restricted);
+    BoundaryComplex complex = collect_boundary(restricted, settlement.table());
     ContactReport contacts = take_apart(restricted, complex);
     while (!contacts.unseparated.empty()) // each time fewer changes are left to undo, or inside cells
     {
@@ -52,7 +52,7 @@ ExtractedSurface extract_surface(const RestrictedDelaunay& restricted, RegionSet
             statistics.contacts_carved += contacts.unseparated.size();
             settlement.carve(contacts.unseparated);
         }
-        complex = collect_boundary(restricted);
+        complex = collect_boundary(restricted, settlement.table());
         contacts = take_apart(restricted, complex);
     }
     statistics.contacts_separated = contacts.separated;

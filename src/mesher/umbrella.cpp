@@ -15,6 +15,9 @@ namespace
 // vertex.
 constexpr std::size_t kVerticesPerCheckedForOnePass = 64;
 
+// That one thread looks at in a row.
+constexpr std::size_t kVerticesAtOnce = 256;
+
 using LinkEdge = std::pair<std::uint32_t, std::uint32_t>;
 
 //! The two vertices of a facet other than `apex`.
@@ -63,19 +66,31 @@ std::optional<FacetId> largest_above_floor(const RestrictedDelaunay& restricted,
     return largest;
 }
 
-void look_at(VertexHandle vertex, std::span<const FacetId> facets, const RestrictedDelaunay& restricted,
-             const FacetCriteria& criteria, UmbrellaFindings& findings)
+//! What a look at one vertex brings to light.
+struct Finding
+{
+    bool is_isolated = false;
+    std::optional<FacetId> bad_facet;
+};
+
+//! Sets VertexData::pinched.
+Finding look_at(VertexHandle vertex, std::span<const FacetId> facets, const RestrictedDelaunay& restricted,
+                const FacetCriteria& criteria)
 {
     if (facets.empty())
-    {
-        findings.isolated_vertices.push_back(vertex);
-        return;
-    }
+        return {true, std::nullopt};
     vertex->info().pinched = !is_umbrella(restricted, vertex->info().index, facets);
     if (!vertex->info().pinched)
-        return;
-    if (const auto largest = largest_above_floor(restricted, criteria, facets))
-        findings.bad_facets.push_back(*largest);
+        return {};
+    return {false, largest_above_floor(restricted, criteria, facets)};
+}
+
+void add(VertexHandle vertex, const Finding& finding, UmbrellaFindings& findings)
+{
+    if (finding.is_isolated)
+        findings.isolated_vertices.push_back(vertex);
+    if (finding.bad_facet)
+        findings.bad_facets.push_back(*finding.bad_facet);
 }
 
 } // namespace
@@ -117,22 +132,27 @@ bool is_umbrella(const RestrictedDelaunay& restricted, std::uint32_t vertex, std
     return walked == link.size();
 }
 
-UmbrellaFindings check_umbrellas(RestrictedDelaunay& restricted, const FacetCriteria& criteria)
+UmbrellaFindings check_umbrellas(RestrictedDelaunay& restricted, const FacetCriteria& criteria,
+                                 const Workers& workers)
 {
     UmbrellaFindings findings;
     const std::vector<VertexHandle> vertices = restricted.take_unchecked_vertices();
     if (vertices.size() * kVerticesPerCheckedForOnePass > restricted.vertex_count())
     {
         const Grouping<FacetId> facets = odd_facets_of(restricted, vertices);
-        for (const VertexHandle vertex : vertices)
-            look_at(vertex, facets.of(vertex->info().index), restricted, criteria, findings);
+        std::vector<Finding> found(vertices.size());
+        const auto look = [&](std::size_t v)
+        { found[v] = look_at(vertices[v], facets.of(vertices[v]->info().index), restricted, criteria); };
+        workers.for_each(vertices.size(), look, kVerticesAtOnce);
+        for (std::size_t v = 0; v < vertices.size(); ++v)
+            add(vertices[v], found[v], findings);
         return findings;
     }
     std::vector<FacetId> facets;
     for (const VertexHandle vertex : vertices)
     {
         restricted.odd_facets_around(vertex, facets);
-        look_at(vertex, facets, restricted, criteria, findings);
+        add(vertex, look_at(vertex, facets, restricted, criteria), findings);
     }
     return findings;
 }

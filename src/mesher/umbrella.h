@@ -6,6 +6,7 @@
 
 #include "mesher/criteria.h"
 #include "mesher/restricted_delaunay.h"
+#include "support/workers.h"
 
 namespace voroprobe
 {
@@ -23,6 +24,7 @@ struct UmbrellaFindings
 
 //! The manifold criterion: looks at all vertices whose odd facets changed since they were last looked at, and
 //! sets VertexData::pinched. Cost: O(facets) for many vertices, O(their Delaunay cells) for few.
-UmbrellaFindings check_umbrellas(RestrictedDelaunay& restricted, const FacetCriteria& criteria);
+UmbrellaFindings check_umbrellas(RestrictedDelaunay& restricted, const FacetCriteria& criteria,
+                                 const Workers& workers);
 
 } // namespace voroprobe

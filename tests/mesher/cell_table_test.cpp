@@ -61,7 +61,7 @@ protected:
 
 TEST_F(CellTables, take_in_what_insertions_have_done)
 {
-    CellTable table(restricted_.triangulation());
+    CellTable table(restricted_.triangulation(), Workers(1));
     expect_same_as_triangulation(table);
     for (const std::size_t count : {1U, 10U, 300U})
     {
@@ -83,7 +83,7 @@ TEST_F(CellTables, take_in_what_insertions_have_done)
 
 TEST_F(CellTables, keep_the_regions_of_cells_that_stay_and_give_them_back)
 {
-    CellTable table(restricted_.triangulation());
+    CellTable table(restricted_.triangulation(), Workers(1));
     std::map<DelaunayCell, Region> raw;
     for (Number cell = 0; cell < table.size(); cell += 5)
     {
@@ -125,7 +125,7 @@ bool same_parts(const std::vector<std::uint32_t>& a, const std::vector<std::uint
 
 TEST_F(CellTables, components_brought_up_to_date_are_those_found_anew)
 {
-    CellTable table(restricted_.triangulation());
+    CellTable table(restricted_.triangulation(), Workers(1));
     for (Number cell = 0; cell < table.size(); ++cell)
         table.set_region(cell,
                          !table.is_infinite(cell) && norm(centroid(corner_positions(table.cell(cell)))) < 0.7
