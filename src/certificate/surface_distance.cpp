@@ -195,13 +195,13 @@ std::vector<double> distances_to_surface(const std::vector<MeshSample>& samples,
         });
 }
 
-DirectedDistance distance_from_mesh(const TriangleMesh& mesh, const SurfaceOracle& oracle,
+DirectedDistance distance_from_mesh(const TriangleMesh& mesh, double total_area, const SurfaceOracle& oracle,
                                     const SamplingOptions& options, const std::vector<Point3>& surface_points)
 {
-    const double first_reach = kFirstReach * typical_edge_length(mesh);
+    const double first_reach = kFirstReach * typical_edge_length(mesh, total_area);
     Random random(options.seed);
     const auto landmarks = mesh_landmarks(mesh, options.mesh_samples / 2);
-    const auto spread = area_samples(mesh, options.mesh_samples - landmarks.size(), random);
+    const auto spread = area_samples(mesh, total_area, options.mesh_samples - landmarks.size(), random);
     DirectedDistance result;
     auto distances = distances_to_surface(landmarks, oracle, options.caps, first_reach, surface_points);
     take_largest(
@@ -285,13 +285,14 @@ SurfaceDistance surface_distance(const FaceTree& tree, const SurfaceOracle& orac
 {
     const std::vector<Point3> points = sample_surface(oracle, options);
     const std::vector<Point3> given(surface_points.begin(), surface_points.end());
-    if (!(area(tree.mesh()) > 0.0))
+    const double total_area = area(tree.mesh());
+    if (!(total_area > 0.0))
         return {.from_mesh = {},
                 .from_surface =
                     points.empty() && given.empty() ? DirectedDistance{} : infinitely_far(points)};
     std::vector<Point3> all = points;
     all.insert(all.end(), given.begin(), given.end());
-    return {.from_mesh = distance_from_mesh(tree.mesh(), oracle, options, all),
+    return {.from_mesh = distance_from_mesh(tree.mesh(), total_area, oracle, options, all),
             .from_surface = distance_from_surface(points, given, tree)};
 }
 
