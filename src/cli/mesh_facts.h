@@ -25,6 +25,6 @@ struct MeshFacts
 
 //! `topology`: that of the mesh, where it is known.
 MeshFacts measure_mesh(const TriangleMesh& mesh, double angle_bound_deg,
-                       const std::optional<MeshTopology>& topology);
+                       const std::optional<MeshTopology>& topology = std::nullopt);
 
 } // namespace voroprobe
