@@ -25,8 +25,13 @@ public:
           bricks_(volume_->geometry.size,
                   [this](std::size_t k, std::span<std::uint8_t> sides)
                   {
-                      for (std::size_t i = 0; i < sides.size(); ++i)
-                          sides[i] = value(samples_ + k * slice_stride_ + i) >= 0.0;
+                      // Local variables, for the loop to be done with vectors.
+                      const Level level_here = level_;
+                      const Sample* slice = samples_ + k * slice_stride_;
+                      std::uint8_t* side = sides.data();
+                      const std::size_t count = sides.size();
+                      for (std::size_t i = 0; i < count; ++i)
+                          side[i] = level_here(static_cast<double>(slice[i])) >= 0.0 ? 1 : 0;
                   })
     {
     }

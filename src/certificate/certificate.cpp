@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+
+#include <tbb/parallel_invoke.h>
 
 #include "certificate/complaints.h"
+#include "certificate/face_tree.h"
 #include "certificate/kept_surfaces.h"
 #include "certificate/mesh_pieces.h"
 #include "certificate/mesh_sides.h"
@@ -48,10 +52,16 @@ class Certification
 public:
     Certification(const TriangleMesh& mesh, const SurfaceOracle& oracle,
                   std::span<const ScanSurface> surfaces, const CertificateOptions& options)
-        : mesh_(mesh), oracle_(oracle), surfaces_(surfaces), options_(options),
-          pieces_(split_into_pieces(mesh)), surface_of_piece_(pieces_.pieces.size(), kNoSurface),
-          evidence_(surfaces.size()), expected_(surfaces.size(), true)
+        : mesh_(mesh), oracle_(oracle), surfaces_(surfaces), options_(options), evidence_(surfaces.size()),
+          expected_(surfaces.size(), true)
     {
+        tbb::parallel_invoke([&] { tree_.emplace(mesh); },
+                             [&]
+                             {
+                                 edges_.emplace(mesh);
+                                 pieces_ = split_into_pieces(mesh, *edges_);
+                             });
+        surface_of_piece_.assign(pieces_.pieces.size(), kNoSurface);
     }
 
     Certificate run(const std::optional<std::span<const SurfaceId>>& surface_of_face)
@@ -63,11 +73,11 @@ public:
         for (SurfaceId id = 0; id < static_cast<SurfaceId>(surfaces_.size()); ++id)
             if (expected_[static_cast<std::size_t>(id)])
                 judge_surface(id);
-        find_places_of_mismatches();
         list_foreign_pieces();
-        list_lost_parts();
-        judge_topology();
-        measure();
+        // Each fills in fields of its own, and has work for several threads besides.
+        tbb::parallel_invoke([&] { measure_distance(); }, [&] { test_self_intersections(); },
+                             [&] { count_criteria_exceptions(); }, [&] { find_places_of_mismatches(); },
+                             [&] { list_lost_parts(); }, [&] { judge_topology(); });
         return std::move(certificate_);
     }
 
@@ -108,6 +118,7 @@ private:
             expected_[static_cast<std::size_t>(id)] = false;
             certificate_.dropped.push_back(entry(id, reason));
         }
+        kept_.emplace(oracle_, expected_);
     }
 
     void judge_surface(SurfaceId id)
@@ -193,10 +204,10 @@ private:
         std::vector<Point3> middles;
         for (const Neck& neck : necks)
             middles.push_back(neck.middle);
-        const std::vector<bool> enclosed = enclosed_by(mesh_, middles);
+        const std::vector<std::uint8_t> enclosed = enclosed_by(*tree_, middles);
         for (std::size_t n = 0; n < necks.size(); ++n)
         {
-            if (enclosed[n] == is_inside(necks[n].region))
+            if ((enclosed[n] != 0) == is_inside(necks[n].region))
                 continue;
             for (const SurfaceId id : necks[n].surfaces)
             {
@@ -228,7 +239,7 @@ private:
 
     void judge_topology()
     {
-        certificate_.topology = analyze_topology(mesh_);
+        certificate_.topology = analyze_topology(mesh_, *edges_, pieces_.pieces.size());
         certificate_.closed = certificate_.topology.degenerate_faces == 0;
         for (std::size_t piece = 0; piece < pieces_.pieces.size(); ++piece)
         {
@@ -237,11 +248,15 @@ private:
                 id != kNoSurface && may_end_at_border(surfaces_[static_cast<std::size_t>(id)]);
             certificate_.closed = certificate_.closed && (pieces_.pieces[piece].closed() || rim_is_allowed);
         }
-        if (options_.test_self_intersections)
-            certificate_.self_intersections = self_intersections(mesh_).size();
     }
 
-    void measure()
+    void test_self_intersections()
+    {
+        if (options_.test_self_intersections)
+            certificate_.self_intersections = self_intersections(*tree_).size();
+    }
+
+    void measure_distance()
     {
         SamplingOptions sampling = options_.sampling;
         sampling.caps = options_.caps;
@@ -257,10 +272,18 @@ private:
                 surface_points.push_back(surfaces_[id].point);
         }
         sampling.box = box.empty() ? std::nullopt : std::optional(box);
-        const KeptSurfaces kept(oracle_, expected_);
-        const SurfaceOracle& expected = certificate_.dropped.empty() ? oracle_ : kept;
-        certificate_.distance = surface_distance(mesh_, expected, sampling, surface_points);
-        certificate_.criteria_exceptions = count_exceptions(mesh_, expected, options_.criteria);
+        certificate_.distance = surface_distance(*tree_, expected_oracle(), sampling, surface_points);
+    }
+
+    void count_criteria_exceptions()
+    {
+        certificate_.criteria_exceptions = count_exceptions(*tree_, expected_oracle(), options_.criteria);
+    }
+
+    //! Without the dropped surfaces.
+    [[nodiscard]] const SurfaceOracle& expected_oracle() const
+    {
+        return certificate_.dropped.empty() ? oracle_ : *kept_;
     }
 
     [[nodiscard]] MissingSurface entry(SurfaceId id, const std::string& reason) const
@@ -273,10 +296,13 @@ private:
     const SurfaceOracle& oracle_;
     std::span<const ScanSurface> surfaces_;
     const CertificateOptions& options_;
+    std::optional<FaceTree> tree_; // made side by side with the edges
+    std::optional<EdgeTable> edges_;
     MeshPieces pieces_;
     std::vector<SurfaceId> surface_of_piece_;
     std::vector<Evidence> evidence_; //!< by surface
     std::vector<bool> expected_;     //!< by surface
+    std::optional<KeptSurfaces> kept_;
     Certificate certificate_;
 };
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "certificate/face_tree.h"
 #include "mesh/triangle_mesh.h"
 #include "oracles/surface_oracle.h"
 
@@ -30,6 +31,10 @@ struct CriteriaExceptions
 //! meets the surface next; where it meets none as near as the bounds ask, the face is an exception. Cost: one
 //! query per face where a bound on radius or distance is given, on all cores. Frame: the oracle's.
 CriteriaExceptions count_exceptions(const TriangleMesh& mesh, const SurfaceOracle& oracle,
+                                    const FaceCriteria& criteria);
+
+//! The same for a mesh whose tree there is.
+CriteriaExceptions count_exceptions(const FaceTree& tree, const SurfaceOracle& oracle,
                                     const FaceCriteria& criteria);
 
 } // namespace voroprobe

@@ -1,9 +1,11 @@
 #include "certificate/mesh_pieces.h"
 
 #include <algorithm>
+#include <limits>
+#include <span>
+#include <utility>
 
 #include "mesh/topology.h"
-#include "support/grouping.h"
 
 namespace voroprobe
 {
@@ -13,73 +15,45 @@ namespace
 
 using Face = TriangleMesh::Face;
 
-bool names_a_vertex_twice(const Face& face)
-{
-    return face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
-}
-
-//! A corner of a face, or a side that runs to `to`, seen from the vertex it is grouped under.
-struct Mark
-{
-    std::uint32_t piece;
-    std::uint32_t to;
-
-    friend auto operator<=>(const Mark&, const Mark&) = default;
-};
-
-//! Calls `visit(mark, number)` for every different mark at every vertex.
-template <typename Visitor>
-void for_each_run(Grouping<Mark>& marks, std::size_t vertex_count, Visitor visit)
-{
-    for (std::size_t v = 0; v < vertex_count; ++v)
-    {
-        const auto here = marks.of(v);
-        std::sort(here.begin(), here.end());
-        for (std::size_t begin = 0, end = 0; begin < here.size(); begin = end)
-        {
-            while (end < here.size() && here[end] == here[begin])
-                ++end;
-            visit(here[begin], end - begin);
-        }
-    }
-}
-
+//! Each vertex once for every piece it is a corner of.
 void count_vertices(const TriangleMesh& mesh, MeshPieces& result)
 {
-    Grouping<Mark> corners(mesh.vertices.size(),
-                           [&](auto&& visit)
-                           {
-                               for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-                                   if (!names_a_vertex_twice(mesh.faces[f]))
-                                       for (const std::uint32_t v : mesh.faces[f])
-                                           visit(v, Mark{result.piece_of_face[f], 0});
-                           });
-    for_each_run(corners, mesh.vertices.size(),
-                 [&](const Mark& corner, std::size_t)
-                 { ++result.pieces[corner.piece].euler_characteristic; });
+    constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> first_piece(mesh.vertices.size(), kNone);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> further; // vertices and pieces that share them
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+        for (std::size_t i = 0; !names_a_vertex_twice(mesh.faces[f]) && i < 3; ++i)
+        {
+            const std::uint32_t v = mesh.faces[f][i];
+            const std::uint32_t piece = result.piece_of_face[f];
+            if (first_piece[v] == kNone)
+            {
+                first_piece[v] = piece;
+                ++result.pieces[piece].euler_characteristic;
+            }
+            else if (first_piece[v] != piece)
+                further.emplace_back(v, piece);
+        }
+    std::sort(further.begin(), further.end());
+    further.erase(std::unique(further.begin(), further.end()), further.end());
+    for (const auto& [v, piece] : further)
+        ++result.pieces[piece].euler_characteristic;
 }
 
-void count_edges(const TriangleMesh& mesh, MeshPieces& result)
+void count_edges(const TriangleMesh& mesh, const EdgeTable& edges, MeshPieces& result)
 {
-    Grouping<Mark> sides(mesh.vertices.size(),
-                         [&](auto&& visit)
-                         {
-                             for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-                                 for (std::size_t i = 0; !names_a_vertex_twice(mesh.faces[f]) && i < 3; ++i)
-                                 {
-                                     const auto [low, high] =
-                                         std::minmax(mesh.faces[f][i], mesh.faces[f][(i + 1) % 3]);
-                                     visit(low, Mark{result.piece_of_face[f], high});
-                                 }
-                         });
-    for_each_run(sides, mesh.vertices.size(),
-                 [&](const Mark& side, std::size_t faces_on_it)
-                 {
-                     MeshPiece& piece = result.pieces[side.piece];
-                     --piece.euler_characteristic;
-                     piece.boundary_edges += faces_on_it == 1 ? 1 : 0;
-                     piece.crowded_edges += faces_on_it > 2 ? 1 : 0;
-                 });
+    edges.for_each_edge(
+        [&](std::span<const EdgeTable::Side> sides)
+        {
+            const auto faces_on_it =
+                std::count_if(sides.begin(), sides.end(),
+                              [&](const EdgeTable::Side& side)
+                              { return !names_a_vertex_twice(mesh.faces[side.corner / 3]); });
+            MeshPiece& piece = result.pieces[result.piece_of_face[sides.front().corner / 3]];
+            piece.euler_characteristic -= faces_on_it > 0 ? 1 : 0;
+            piece.boundary_edges += faces_on_it == 1 ? 1 : 0;
+            piece.crowded_edges += faces_on_it > 2 ? 1 : 0;
+        });
 }
 
 void sum_up_faces(const TriangleMesh& mesh, MeshPieces& result)
@@ -110,12 +84,17 @@ void sum_up_faces(const TriangleMesh& mesh, MeshPieces& result)
 
 MeshPieces split_into_pieces(const TriangleMesh& mesh)
 {
+    return split_into_pieces(mesh, EdgeTable(mesh));
+}
+
+MeshPieces split_into_pieces(const TriangleMesh& mesh, const EdgeTable& edges)
+{
     MeshPieces result;
-    result.piece_of_face = component_of_faces(mesh);
+    result.piece_of_face = component_of_faces(mesh, edges);
     const auto last = std::max_element(result.piece_of_face.begin(), result.piece_of_face.end());
     result.pieces.resize(mesh.faces.empty() ? 0 : std::size_t{*last} + 1);
     count_vertices(mesh, result);
-    count_edges(mesh, result);
+    count_edges(mesh, edges, result);
     sum_up_faces(mesh, result);
     return result;
 }

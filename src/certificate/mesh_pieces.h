@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mesh/edge_table.h"
 #include "mesh/triangle_mesh.h"
 
 namespace voroprobe
@@ -36,5 +37,8 @@ struct MeshPieces
 
 //! \pre faces name existing vertices. Cost: close to linear.
 MeshPieces split_into_pieces(const TriangleMesh& mesh);
+
+//! The same where there are the edges of the mesh.
+MeshPieces split_into_pieces(const TriangleMesh& mesh, const EdgeTable& edges);
 
 } // namespace voroprobe

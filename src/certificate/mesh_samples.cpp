@@ -68,12 +68,17 @@ std::vector<MeshSample> mesh_landmarks(const TriangleMesh& mesh, std::size_t mos
 
 std::vector<MeshSample> area_samples(const TriangleMesh& mesh, std::size_t count, Random& random)
 {
-    const double total = area(mesh);
+    return area_samples(mesh, area(mesh), count, random);
+}
+
+std::vector<MeshSample> area_samples(const TriangleMesh& mesh, double total_area, std::size_t count,
+                                     Random& random)
+{
     std::vector<MeshSample> samples;
-    if (!(total > 0.0))
+    if (!(total_area > 0.0))
         return samples;
     samples.reserve(count);
-    const double part = total / static_cast<double>(count);
+    const double part = total_area / static_cast<double>(count);
     double area_so_far = 0.0;
     double next = part * random.uniform();
     for (const Face& face : mesh.faces)
@@ -90,7 +95,12 @@ std::vector<MeshSample> area_samples(const TriangleMesh& mesh, std::size_t count
 
 double typical_edge_length(const TriangleMesh& mesh)
 {
-    const double mean_area = area(mesh) / std::max<double>(1.0, static_cast<double>(mesh.faces.size()));
+    return typical_edge_length(mesh, area(mesh));
+}
+
+double typical_edge_length(const TriangleMesh& mesh, double total_area)
+{
+    const double mean_area = total_area / std::max<double>(1.0, static_cast<double>(mesh.faces.size()));
     return std::sqrt(4.0 * mean_area / std::numbers::sqrt3);
 }
 

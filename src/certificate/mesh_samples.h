@@ -25,7 +25,12 @@ std::vector<MeshSample> mesh_landmarks(const TriangleMesh& mesh, std::size_t mos
 //! faces is cut into `count` equal parts, and each holds one random point. None where the mesh has no area.
 std::vector<MeshSample> area_samples(const TriangleMesh& mesh, std::size_t count, Random& random);
 
+//! The same where area(mesh) is known.
+std::vector<MeshSample> area_samples(const TriangleMesh& mesh, double total_area, std::size_t count,
+                                     Random& random);
+
 //! Length of a typical edge: of the equilateral triangle of the mean area; 0 where the mesh has no area.
 double typical_edge_length(const TriangleMesh& mesh);
+double typical_edge_length(const TriangleMesh& mesh, double total_area);
 
 } // namespace voroprobe

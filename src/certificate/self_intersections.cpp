@@ -5,12 +5,12 @@
 #include <cstddef>
 #include <utility>
 
-#include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
 #include <tbb/concurrent_vector.h>
 #include <tbb/parallel_for.h>
+
+#include "certificate/flat_stars.h"
 
 namespace voroprobe
 {
@@ -22,7 +22,6 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Triangle = Kernel::Triangle_3;
 using Segment = Kernel::Segment_3;
-using FaceBox = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
 using Face = TriangleMesh::Face;
 
 //! Decides about pairs of faces. May be asked from several threads at once.
@@ -40,8 +39,6 @@ public:
     {
         return !CGAL::collinear(points_[face[0]], points_[face[1]], points_[face[2]]);
     }
-
-    [[nodiscard]] CGAL::Bbox_3 box(const Face& face) const { return triangle(face).bbox(); }
 
     //! \pre both have area.
     [[nodiscard]] bool meet_elsewhere(Face a, Face b) const
@@ -163,84 +160,48 @@ private:
     std::vector<Point> points_;
 };
 
-//! Boxes are searched for overlaps in so many strips across the mesh, in parallel.
-constexpr std::size_t kStrips = 32;
-
-//! The places across which the mesh is cut, ascending: about as many boxes begin in each strip.
-std::vector<double> cuts_between_strips(const std::vector<FaceBox>& boxes, int axis)
+//! Shared corners, at any place of the faces.
+template <typename Test>
+bool any_shared_corner(const Face& a, const Face& b, const Test& test)
 {
-    std::vector<double> begins;
-    begins.reserve(boxes.size());
-    for (const FaceBox& box : boxes)
-        begins.push_back(box.min_coord(axis));
-    std::sort(begins.begin(), begins.end());
-    std::vector<double> cuts;
-    for (std::size_t i = 1; i < kStrips && !begins.empty(); ++i)
-        cuts.push_back(begins[i * begins.size() / kStrips]);
-    return cuts;
-}
-
-//! The strip that a coordinate lies in.
-std::size_t strip_of(const std::vector<double>& cuts, double x)
-{
-    return static_cast<std::size_t>(std::upper_bound(cuts.begin(), cuts.end(), x) - cuts.begin());
-}
-
-int longest_axis(const TriangleMesh& mesh)
-{
-    const Vec3 extent = bounding_box(mesh).extent();
-    if (extent.x >= extent.y && extent.x >= extent.z)
-        return 0;
-    return extent.y >= extent.z ? 1 : 2;
-}
-
-//! Calls `visit(f, g)` for every pair of faces whose boxes meet, from several threads at once.
-template <typename Visitor>
-void for_each_meeting_pair(const std::vector<FaceBox>& boxes, int axis, const Visitor& visit)
-{
-    const std::vector<double> cuts = cuts_between_strips(boxes, axis);
-    std::vector<std::vector<FaceBox>> strips(cuts.size() + 1);
-    for (const FaceBox& box : boxes)
-    {
-        const std::size_t last = strip_of(cuts, box.max_coord(axis));
-        for (std::size_t strip = strip_of(cuts, box.min_coord(axis)); strip <= last; ++strip)
-            strips[strip].push_back(box);
-    }
-    tbb::parallel_for(std::size_t{0}, strips.size(),
-                      [&](std::size_t strip)
-                      {
-                          CGAL::box_self_intersection_d(
-                              strips[strip].begin(), strips[strip].end(),
-                              [&](const FaceBox& a, const FaceBox& b)
-                              {
-                                  // Pairs that share several strips are met in each: the first one counts.
-                                  if (strip_of(cuts, std::max(a.min_coord(axis), b.min_coord(axis))) == strip)
-                                      visit(a.info(), b.info());
-                              });
-                      });
+    return std::any_of(a.begin(), a.end(),
+                       [&](std::uint32_t v) { return (v == b[0] || v == b[1] || v == b[2]) && test(v); });
 }
 
 } // namespace
 
 std::vector<FacePair> self_intersections(const TriangleMesh& mesh)
 {
+    return self_intersections(FaceTree(mesh));
+}
+
+std::vector<FacePair> self_intersections(const FaceTree& tree)
+{
+    const TriangleMesh& mesh = tree.mesh();
     const FacePairs pairs(mesh);
+    const std::vector<std::uint8_t> flat = find_flat_stars(mesh);
+    const auto is_flat = [&](std::uint32_t vertex) { return flat[vertex] != 0; };
     tbb::concurrent_vector<FacePair> found;
-    std::vector<FaceBox> boxes;
-    boxes.reserve(mesh.faces.size());
-    for (std::uint32_t f = 0; f < mesh.faces.size(); ++f)
+    std::vector<std::uint8_t> has_area(mesh.faces.size());
+    const auto judge_face = [&](std::uint32_t f)
     {
-        if (pairs.has_area(mesh.faces[f]))
-            boxes.emplace_back(pairs.box(mesh.faces[f]), f);
-        else
+        const Face& face = mesh.faces[f];
+        has_area[f] = std::any_of(face.begin(), face.end(), is_flat) || pairs.has_area(face);
+        if (has_area[f] == 0)
             found.emplace_back(f, f);
-    }
-    for_each_meeting_pair(boxes, longest_axis(mesh),
-                          [&](std::uint32_t f, std::uint32_t g)
-                          {
-                              if (pairs.meet_elsewhere(mesh.faces[f], mesh.faces[g]))
-                                  found.push_back(std::minmax(f, g));
-                          });
+    };
+    const auto judge_pair = [&](std::uint32_t f, std::uint32_t g)
+    {
+        const Face& a = mesh.faces[f];
+        const Face& b = mesh.faces[g];
+        if (any_shared_corner(a, b, is_flat) || has_area[f] == 0 || has_area[g] == 0)
+            return;
+        if (pairs.meet_elsewhere(a, b))
+            found.push_back(std::minmax(f, g));
+    };
+    tbb::parallel_for(std::uint32_t{0}, static_cast<std::uint32_t>(mesh.faces.size()), judge_face);
+    tbb::parallel_for(std::size_t{0}, tree.block_count(),
+                      [&](std::size_t block) { tree.for_each_meeting_pair(block, judge_pair); });
     std::vector<FacePair> sorted(found.begin(), found.end());
     std::sort(sorted.begin(), sorted.end());
     return sorted;

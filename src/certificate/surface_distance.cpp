@@ -6,10 +6,9 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 
-#include "certificate/mesh_distance.h"
 #include "certificate/mesh_samples.h"
+#include "certificate/space_order.h"
 #include "mesh/measures.h"
 #include "support/random.h"
 
@@ -196,13 +195,13 @@ std::vector<double> distances_to_surface(const std::vector<MeshSample>& samples,
         });
 }
 
-DirectedDistance distance_from_mesh(const TriangleMesh& mesh, const SurfaceOracle& oracle,
+DirectedDistance distance_from_mesh(const TriangleMesh& mesh, double total_area, const SurfaceOracle& oracle,
                                     const SamplingOptions& options, const std::vector<Point3>& surface_points)
 {
-    const double first_reach = kFirstReach * typical_edge_length(mesh);
+    const double first_reach = kFirstReach * typical_edge_length(mesh, total_area);
     Random random(options.seed);
     const auto landmarks = mesh_landmarks(mesh, options.mesh_samples / 2);
-    const auto spread = area_samples(mesh, options.mesh_samples - landmarks.size(), random);
+    const auto spread = area_samples(mesh, total_area, options.mesh_samples - landmarks.size(), random);
     DirectedDistance result;
     auto distances = distances_to_surface(landmarks, oracle, options.caps, first_reach, surface_points);
     take_largest(
@@ -215,12 +214,16 @@ DirectedDistance distance_from_mesh(const TriangleMesh& mesh, const SurfaceOracl
 }
 
 DirectedDistance distance_from_surface(const std::vector<Point3>& lines_points,
-                                       const std::vector<Point3>& given, const MeshDistance& distance_to_mesh)
+                                       const std::vector<Point3>& given, const FaceTree& tree)
 {
     const auto distances_to_mesh = [&](const std::vector<Point3>& points)
     {
-        return distances_of(
-            points.size(), [] { return 0; }, [&](std::size_t i, int) { return distance_to_mesh(points[i]); });
+        // Neighbours look into the same boxes.
+        const std::vector<std::uint32_t> order = order_in_space(points);
+        std::vector<double> distances(points.size());
+        tbb::parallel_for(std::size_t{0}, order.size(),
+                          [&](std::size_t i) { distances[order[i]] = tree.distance(points[order[i]]); });
+        return distances;
     };
     DirectedDistance result;
     take_largest(
@@ -274,20 +277,23 @@ std::vector<Point3> sample_surface(const SurfaceOracle& oracle, const SamplingOp
 SurfaceDistance surface_distance(const TriangleMesh& mesh, const SurfaceOracle& oracle,
                                  const SamplingOptions& options, std::span<const Point3> surface_points)
 {
+    return surface_distance(FaceTree(mesh), oracle, options, surface_points);
+}
+
+SurfaceDistance surface_distance(const FaceTree& tree, const SurfaceOracle& oracle,
+                                 const SamplingOptions& options, std::span<const Point3> surface_points)
+{
     const std::vector<Point3> points = sample_surface(oracle, options);
     const std::vector<Point3> given(surface_points.begin(), surface_points.end());
-    if (!(area(mesh) > 0.0))
+    const double total_area = area(tree.mesh());
+    if (!(total_area > 0.0))
         return {.from_mesh = {},
                 .from_surface =
                     points.empty() && given.empty() ? DirectedDistance{} : infinitely_far(points)};
     std::vector<Point3> all = points;
     all.insert(all.end(), given.begin(), given.end());
-    SurfaceDistance result;
-    std::optional<MeshDistance> distance_to_mesh; // its tree takes longest, and one core
-    tbb::parallel_invoke([&] { distance_to_mesh.emplace(mesh); },
-                         [&] { result.from_mesh = distance_from_mesh(mesh, oracle, options, all); });
-    result.from_surface = distance_from_surface(points, given, *distance_to_mesh);
-    return result;
+    return {.from_mesh = distance_from_mesh(tree.mesh(), total_area, oracle, options, all),
+            .from_surface = distance_from_surface(points, given, tree)};
 }
 
 } // namespace voroprobe

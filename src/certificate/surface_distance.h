@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "certificate/face_tree.h"
 #include "certificate/nearest_crossing.h"
 #include "mesh/triangle_mesh.h"
 #include "oracles/surface_oracle.h"
@@ -66,5 +67,9 @@ std::vector<Point3> sample_surface(const SurfaceOracle& oracle, const SamplingOp
 SurfaceDistance surface_distance(const TriangleMesh& mesh, const SurfaceOracle& oracle,
                                  const SamplingOptions& options = {},
                                  std::span<const Point3> surface_points = {});
+
+//! The same for a mesh whose tree there is.
+SurfaceDistance surface_distance(const FaceTree& tree, const SurfaceOracle& oracle,
+                                 const SamplingOptions& options, std::span<const Point3> surface_points);
 
 } // namespace voroprobe

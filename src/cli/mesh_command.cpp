@@ -188,7 +188,8 @@ void check_and_write(TriangleMesh& mesh, MeshFormat format, MeshRun& run, Progre
 {
     const Stopwatch clock;
     progress.report({.phase = "write", .vertices = mesh.vertices.size()});
-    run.facts = measure_mesh(mesh, run.options.min_facet_angle_deg);
+    run.facts = measure_mesh(mesh, run.options.min_facet_angle_deg,
+                             run.certificate ? std::optional(run.certificate->topology) : std::nullopt);
     if (run.status == RunStatus::kDone && broken_promise(run.facts, run.arguments.border))
         run.status = RunStatus::kIncomplete;
     if (run.input.domain)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "geometry/box3.h"
 #include "mesh/measures.h"
 #include "mesh/topology.h"
@@ -21,6 +23,8 @@ struct MeshFacts
     std::size_t faces_below_angle_bound = 0;
 };
 
-MeshFacts measure_mesh(const TriangleMesh& mesh, double angle_bound_deg);
+//! `topology`: that of the mesh, where it is known.
+MeshFacts measure_mesh(const TriangleMesh& mesh, double angle_bound_deg,
+                       const std::optional<MeshTopology>& topology = std::nullopt);
 
 } // namespace voroprobe

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace voroprobe
@@ -23,6 +24,49 @@ double angle_deg(const Vec3& u, const Vec3& v)
         return 0.0;
     return std::atan2(norm(cross(u, v)), dot(u, v)) * 180.0 / std::numbers::pi;
 }
+
+//! A bound on angles, held against them mostly by their tangents.
+class AngleBound
+{
+public:
+    explicit AngleBound(double bound_deg)
+        : bound_deg_(bound_deg - kAngleRoundingDeg), squared_tangents_{squared_tangent(bound_deg - kClearDeg),
+                                                                       squared_tangent(bound_deg + kClearDeg)}
+    {
+    }
+
+    //! Whether the angle between two directions is below the bound.
+    [[nodiscard]] bool is_above_angle(const Vec3& u, const Vec3& v) const
+    {
+        const double cosine = dot(u, v);
+        const double squared_sine = squared_norm(cross(u, v)); // both times the same lengths
+        const double squared_cosine = cosine * cosine;
+        if (cosine < 0.0 && bound_deg_ < 89.0)
+            return false;
+        if (cosine > 0.0 && squared_sine < squared_tangents_[0] * squared_cosine)
+            return true;
+        if (cosine > 0.0 && squared_sine > squared_tangents_[1] * squared_cosine)
+            return false;
+        return angle_deg(u, v) < bound_deg_;
+    }
+
+private:
+    //! Angles nearer to the bound than this are computed.
+    static constexpr double kClearDeg = 1e-6;
+
+    //! Where the tangent does not decide, a number that does not either.
+    static double squared_tangent(double angle_deg)
+    {
+        if (!(angle_deg > 0.0 && angle_deg < 89.0))
+            return std::numeric_limits<double>::quiet_NaN();
+        const double tangent = std::tan(angle_deg * std::numbers::pi / 180.0);
+        return tangent * tangent;
+    }
+
+    double bound_deg_;
+    std::array<double, 2>
+        squared_tangents_; //!< of an angle clearly below the bound, and of one clearly above
+};
 
 std::array<double, 3> face_angles_deg(const TriangleMesh& mesh, const TriangleMesh::Face& face)
 {
@@ -83,12 +127,16 @@ AngleMeasures measure_angles(const TriangleMesh& mesh)
 
 std::size_t count_faces_below_angle(const TriangleMesh& mesh, double bound_deg)
 {
+    const AngleBound bound(bound_deg);
     return static_cast<std::size_t>(std::count_if(mesh.faces.begin(), mesh.faces.end(),
                                                   [&](const TriangleMesh::Face& face)
                                                   {
-                                                      const auto angles = face_angles_deg(mesh, face);
-                                                      return *std::min_element(angles.begin(), angles.end()) <
-                                                             bound_deg - kAngleRoundingDeg;
+                                                      const Point3 a = mesh.corner(face, 0);
+                                                      const Point3 b = mesh.corner(face, 1);
+                                                      const Point3 c = mesh.corner(face, 2);
+                                                      return bound.is_above_angle(b - a, c - a) ||
+                                                             bound.is_above_angle(c - b, a - b) ||
+                                                             bound.is_above_angle(a - c, b - c);
                                                   }));
 }
 

@@ -1,24 +1,17 @@
 #include "mesh/topology.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <span>
 #include <tuple>
 
 #include "support/check.h"
-#include "support/grouping.h"
 
 namespace voroprobe
 {
 
 namespace
 {
-
-bool names_a_vertex_twice(const TriangleMesh::Face& face)
-{
-    return face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
-}
 
 //! Disjoint sets of the numbers 0 to n - 1; a set is named by its smallest member. Source: Tarjan & van
 //! Leeuwen 1984 (path halving).
@@ -42,65 +35,6 @@ public:
 
 private:
     std::vector<std::uint32_t> parent_;
-};
-
-//! One side of a face: it starts at corner `corner` (3 * face + 0, 1 or 2) and joins a vertex to a larger
-//! one, `to`.
-struct Side
-{
-    std::uint32_t to;
-    std::uint32_t corner;
-
-    friend auto operator<=>(const Side&, const Side&) = default;
-};
-
-//! The sides of all faces, those over the same edge next to each other. Sides from a vertex to itself are
-//! left out.
-class EdgeTable
-{
-public:
-    explicit EdgeTable(const TriangleMesh& mesh)
-        : sides_(mesh.vertices.size(), [&](auto&& visit) { for_each_side(mesh, visit); }),
-          vertex_count_(mesh.vertices.size())
-    {
-        CHECK_LE(mesh.faces.size(), std::numeric_limits<std::uint32_t>::max() / 3);
-        for (std::size_t v = 0; v < vertex_count_; ++v)
-            std::sort(sides_.of(v).begin(), sides_.of(v).end());
-    }
-
-    //! Calls `visit(std::span<const Side>)` once for every edge.
-    template <typename Visitor>
-    void for_each_edge(Visitor visit) const
-    {
-        for (std::size_t v = 0; v < vertex_count_; ++v)
-        {
-            const std::span<const Side> sides = sides_.of(v);
-            for (std::size_t begin = 0, end = begin; begin < sides.size(); begin = end)
-            {
-                while (end < sides.size() && sides[end].to == sides[begin].to)
-                    ++end;
-                visit(sides.subspan(begin, end - begin));
-            }
-        }
-    }
-
-private:
-    template <typename Visitor>
-    static void for_each_side(const TriangleMesh& mesh, Visitor visit)
-    {
-        std::uint32_t corner = 0;
-        for (const TriangleMesh::Face& face : mesh.faces)
-            for (std::size_t i = 0; i < 3; ++i, ++corner)
-            {
-                const auto [low, high] = std::minmax(face[i], face[(i + 1) % 3]);
-                CHECK_LT(high, mesh.vertices.size());
-                if (low != high)
-                    visit(low, Side{high, corner});
-            }
-    }
-
-    Grouping<Side> sides_; //!< by their smaller vertex
-    std::size_t vertex_count_;
 };
 
 std::uint32_t vertex_of_corner(const TriangleMesh& mesh, std::uint32_t corner)
@@ -130,6 +64,8 @@ public:
     }
 
 private:
+    using Side = EdgeTable::Side;
+
     bool is_regular(const Side& side) const { return !names_a_vertex_twice(mesh_.faces[side.corner / 3]); }
 
     void visit_edge(std::span<const Side> sides)
@@ -213,27 +149,6 @@ private:
     long edges_ = 0;
 };
 
-std::vector<std::uint32_t> component_of_faces(std::size_t face_count, const EdgeTable& edges)
-{
-    DisjointSets pieces(face_count);
-    edges.for_each_edge(
-        [&](std::span<const Side> sides)
-        {
-            for (std::size_t i = 1; i < sides.size(); ++i)
-                pieces.unite(sides[0].corner / 3, sides[i].corner / 3);
-        });
-
-    // A piece is named by its first face, so its number is known before any other face of it is met.
-    std::vector<std::uint32_t> component(face_count);
-    std::uint32_t count = 0;
-    for (std::uint32_t f = 0; f < component.size(); ++f)
-    {
-        const std::uint32_t first_face = pieces.find(f);
-        component[f] = first_face == f ? count++ : component[first_face];
-    }
-    return component;
-}
-
 std::size_t count_components(const std::vector<std::uint32_t>& component)
 {
     return component.empty() ? 0 : 1 + std::size_t{*std::max_element(component.begin(), component.end())};
@@ -268,8 +183,13 @@ std::vector<std::uint32_t> first_vertex_at_same_place(const std::vector<Point3>&
 MeshTopology analyze_topology(const TriangleMesh& mesh)
 {
     const EdgeTable edges(mesh);
+    return analyze_topology(mesh, edges, count_components(component_of_faces(mesh, edges)));
+}
+
+MeshTopology analyze_topology(const TriangleMesh& mesh, const EdgeTable& edges, std::size_t components)
+{
     MeshTopology topology = TopologyAnalysis(mesh).run(edges);
-    topology.components = count_components(component_of_faces(mesh.faces.size(), edges));
+    topology.components = components;
     return topology;
 }
 
@@ -291,7 +211,28 @@ long euler_characteristic(const TriangleMesh& mesh)
 
 std::vector<std::uint32_t> component_of_faces(const TriangleMesh& mesh)
 {
-    return component_of_faces(mesh.faces.size(), EdgeTable(mesh));
+    return component_of_faces(mesh, EdgeTable(mesh));
+}
+
+std::vector<std::uint32_t> component_of_faces(const TriangleMesh& mesh, const EdgeTable& edges)
+{
+    DisjointSets pieces(mesh.faces.size());
+    edges.for_each_edge(
+        [&](std::span<const EdgeTable::Side> sides)
+        {
+            for (std::size_t i = 1; i < sides.size(); ++i)
+                pieces.unite(sides[0].corner / 3, sides[i].corner / 3);
+        });
+
+    // A piece is named by its first face, so its number is known before any other face of it is met.
+    std::vector<std::uint32_t> component(mesh.faces.size());
+    std::uint32_t count = 0;
+    for (std::uint32_t f = 0; f < component.size(); ++f)
+    {
+        const std::uint32_t first_face = pieces.find(f);
+        component[f] = first_face == f ? count++ : component[first_face];
+    }
+    return component;
 }
 
 TriangleMesh weld(const TriangleMesh& mesh)

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mesh/edge_table.h"
 #include "mesh/triangle_mesh.h"
 
 namespace voroprobe
@@ -36,6 +37,9 @@ struct MeshTopology
 //! bytes a face for a million faces.
 MeshTopology analyze_topology(const TriangleMesh& mesh);
 
+//! The same where there are the edges of the mesh, and the number of its pieces is known: half the cost.
+MeshTopology analyze_topology(const TriangleMesh& mesh, const EdgeTable& edges, std::size_t components);
+
 //! Closed, manifold, oriented and without unused vertices.
 bool is_closed_manifold(const TriangleMesh& mesh);
 
@@ -44,6 +48,7 @@ long euler_characteristic(const TriangleMesh& mesh);
 
 //! For each face the number of its piece, 0 to count_components() - 1, numbered by first face.
 std::vector<std::uint32_t> component_of_faces(const TriangleMesh& mesh);
+std::vector<std::uint32_t> component_of_faces(const TriangleMesh& mesh, const EdgeTable& edges);
 
 //! The mesh with vertices at equal coordinates made one, as every STL reader does; faces keep their order and
 //! number, those that collapse become degenerate. \pre coordinates are finite. Cost: O(n log n).

@@ -204,6 +204,8 @@ void RegionSettlement::finish()
         add(repair_slivers(restricted_, *table_, handles_, kLongestSideInFloors * options_.floor_radius,
                            lacking_));
     improve_angles();
+    handles_ = {};
+    vertices_on_surfaces_ = std::vector<SurfacePoint>();
 }
 
 void RegionSettlement::improve_angles()

@@ -331,7 +331,7 @@ void RestrictedDelaunay::query_even_facets(const Workers& workers)
                 add_facet(unqueried[i].delaunay_cell, found[i], workspace_);
         }
     }
-    workspace_.postponed_cells.clear();
+    workspace_.postponed_cells = std::vector<DelaunayCell>(); // never as long again as it was at first
 }
 
 // Until the oracle has answered, the facets count as not crossed.

@@ -40,11 +40,6 @@ Face sorted(Face face)
     return face;
 }
 
-bool names_a_vertex_twice(const Face& face)
-{
-    return face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
-}
-
 TriangleMesh without_useless_faces(const TriangleMesh& mesh, std::size_t& dropped)
 {
     std::vector<bool> kept;

@@ -165,8 +165,9 @@ private:
         const std::uint8_t* y0z1 = slices.above().pair_row(j);
         const std::uint8_t* y1z1 = slices.above().pair_row(j + 1);
         const auto count = static_cast<std::size_t>(runs_.sample_count()[0]) + 1;
+        CornerCode* codes = codes_.data(); // a local variable, for the loop to be done with vectors
         for (std::size_t i = 0; i < count; ++i)
-            codes_[i] = static_cast<CornerCode>(y0z0[i] | y1z0[i] << 2U | y0z1[i] << 4U | y1z1[i] << 6U);
+            codes[i] = static_cast<CornerCode>(y0z0[i] | y1z0[i] << 2U | y0z1[i] << 4U | y1z1[i] << 6U);
     }
 
     [[nodiscard]] RowCursor cursor(int j, int k) const

@@ -60,10 +60,10 @@ public:
         const auto& size = levelled_.volume->geometry.size;
         CHECK_EQ(heights.size(), size[0] * size[1]);
         CHECK_LT(k, size[2]);
-        const Level level = levelled_.level;
         std::visit(
             [&](const auto& samples)
             {
+                const Level level = levelled_.level; // a local variable, for the loop to be done with vectors
                 const auto* sample = samples.data() + k * heights.size();
                 for (double& height : heights)
                     height = level(static_cast<double>(*sample++));

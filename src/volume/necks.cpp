@@ -1,7 +1,9 @@
 #include "volume/necks.h"
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
+#include <vector>
 
 #include "volume/cell_sweep.h"
 #include "volume/sample_neighborhood.h"
@@ -104,44 +106,61 @@ private:
 class SampleSearch
 {
 public:
-    SampleSearch(const HeightField& field, Necks& necks)
-        : size_(field.frame().sample_count),
-          necks_(necks), slices_{PaddedSlice(size_[0], size_[1]), PaddedSlice(size_[0], size_[1]),
-                                 PaddedSlice(size_[0], size_[1])}
+    SampleSearch(const std::array<int, 3>& sample_count, Necks& necks)
+        : size_(sample_count), necks_(necks),
+          beside_crossing_((static_cast<std::size_t>(size_[0]) + kWord - 1) / kWord * kWord)
     {
-        slices_[1].read(field, -1);
-        slices_[2].read(field, 0);
     }
 
-    void visit_slice(const HeightField& field, int k)
+    //! The window's slice k. \pre the window has moved up.
+    void visit_slice(const SliceWindow& slices)
     {
-        std::rotate(slices_.begin(), slices_.begin() + 1, slices_.end());
-        slices_[2].read(field, k + 1);
         for (int j = 0; j < size_[1]; ++j)
-            visit_row(j, k);
+            visit_row(slices, j);
     }
 
 private:
     //! By row of the neighbourhood: for columns -1 and up, bit 0 the column's side and bit 1 the next one's.
     using Rows = std::array<const std::uint8_t*, 9>;
 
-    void visit_row(int j, int k)
+    void visit_row(const SliceWindow& slices, int j)
     {
+        const std::array<const PaddedSlice*, 3> around{&slices.before(), &slices.below(), &slices.above()};
         Rows rows;
         for (std::size_t row = 0; row < 9; ++row)
-            rows[row] = slices_[row / 3].pair_row(j + static_cast<int>(row % 3) - 1);
-        for (int i = 0; i < size_[0]; ++i)
+            rows[row] = around[row / 3]->pair_row(j + static_cast<int>(row % 3) - 1);
+        note_crossings(rows);
+        for (std::size_t first = 0; first < beside_crossing_.size(); first += kWord)
         {
-            const auto at = static_cast<std::size_t>(i); // the column before: rows begin at -1
-            const unsigned here = rows[4][at] >> 1U & 1U;
-            const unsigned around = (rows[4][at] & 1U) + (rows[4][at + 1] >> 1U & 1U) +
-                                    (rows[3][at] >> 1U & 1U) + (rows[5][at] >> 1U & 1U) +
-                                    (rows[1][at] >> 1U & 1U) + (rows[7][at] >> 1U & 1U);
-            if (around == 6 * here)
-                continue; // no crossing next to it
-            if (const NeighborhoodCode code = code_at(rows, at); !is_simple_center(code))
-                add({i, j, k}, code);
+            std::uint64_t word = 0;
+            std::memcpy(&word, beside_crossing_.data() + first, kWord);
+            for (std::size_t at = first; word != 0 && at < first + kWord; ++at)
+                if (beside_crossing_[at] != 0)
+                    visit_sample({static_cast<int>(at), j, slices.k()}, code_at(rows, at));
         }
+    }
+
+    //! Which samples of a row have another side than one of the six joined to them. Rows begin at the column
+    //! before.
+    void note_crossings(const Rows& rows)
+    {
+        // Local variables, for the loop to be done with vectors.
+        const auto count = static_cast<std::size_t>(size_[0]);
+        const auto [r0, below, r2, before, row, after, r6, above, r8] = rows;
+        std::uint8_t* beside_crossing = beside_crossing_.data();
+        for (std::size_t at = 0; at < count; ++at)
+        {
+            const unsigned here = row[at];
+            const unsigned differ = (here ^ here << 1U) | (here ^ row[at + 1]) | (here ^ before[at]) |
+                                    (here ^ after[at]) | (here ^ below[at]) | (here ^ above[at]);
+            beside_crossing[at] = static_cast<std::uint8_t>(differ & 2U);
+        }
+    }
+
+    void visit_sample(const std::array<int, 3>& index, NeighborhoodCode code)
+    {
+        if (!is_simple_center(code))
+            add(index, code);
     }
 
     static NeighborhoodCode code_at(const Rows& rows, std::size_t at)
@@ -170,9 +189,11 @@ private:
             necks_.add(necks_.at(index), necks_.region(index), std::move(ends), beside);
     }
 
+    static constexpr std::size_t kWord = sizeof(std::uint64_t);
+
     std::array<int, 3> size_;
     Necks& necks_;
-    std::array<PaddedSlice, 3> slices_;
+    std::vector<std::uint8_t> beside_crossing_; //!< by sample of the row, and zeros up to a whole word
 };
 
 } // namespace
@@ -186,12 +207,12 @@ std::vector<Neck> find_necks(const HeightField& field, const Inventory& inventor
     CellSweep sweep(inventory.runs(), &kBeyondBorder, [&](SweptCell& cell) { saddles.visit(cell); });
     SliceWindow window(field, -1);
     sweep.sweep(window);
-    SampleSearch samples(field, necks);
+    SampleSearch samples(frame.sample_count, necks);
     for (int k = 0; k < frame.sample_count[2]; ++k)
     {
         window.move_up();
         sweep.sweep(window);
-        samples.visit_slice(field, k);
+        samples.visit_slice(window);
     }
     return std::move(necks).take();
 }

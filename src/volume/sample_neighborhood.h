@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -13,60 +12,48 @@ namespace voroprobe
 using NeighborhoodCode = std::uint32_t;
 
 inline constexpr std::size_t kCenterBit = 13;
-inline constexpr NeighborhoodCode kWholeNeighborhood = (NeighborhoodCode{1} << 27U) - 1;
 
 //! The bits of the six samples joined to the center by an edge: -x, +x, -y, +y, -z, +z.
 inline constexpr std::array<std::size_t, 6> kEdgeNeighbors{12, 14, 10, 16, 4, 22};
 
-//! The bits joined to each by an edge, of those that share an edge or a face with the center. The center and
-//! the corners have none.
-constexpr std::array<NeighborhoodCode, 27> neighborhood_edges()
+//! The bits of those that share an edge or a face with the center's cube: all but the center and the corners.
+inline constexpr NeighborhoodCode kEdgesAndFaces = 0b010111010'111101111'010111010;
+
+//! The bits of the samples where x, y or z is 0, or 2.
+inline constexpr std::array<NeighborhoodCode, 3> kLowSide{
+    0b001001001'001001001'001001001, 0b000000111'000000111'000000111, 0b000000000'000000000'111111111};
+inline constexpr std::array<NeighborhoodCode, 3> kHighSide{kLowSide[0] << 2U, kLowSide[1] << 6U,
+                                                           kLowSide[2] << 18U};
+
+//! Those that an edge joins to one of some samples, and these.
+constexpr NeighborhoodCode spread_along_edges(NeighborhoodCode samples)
 {
-    const auto is_near = [](std::size_t bit)
-    {
-        const std::size_t off_center =
-            (bit % 3 != 1 ? 1U : 0U) + (bit / 3 % 3 != 1 ? 1U : 0U) + (bit / 9 != 1 ? 1U : 0U);
-        return off_center == 1 || off_center == 2;
-    };
-    std::array<NeighborhoodCode, 27> joined{};
-    for (std::size_t a = 0; a < 27; ++a)
-        for (std::size_t b = a + 1; b < 27; ++b)
-        {
-            const bool edge = (b - a == 1 && a / 3 == b / 3) || (b - a == 3 && a / 9 == b / 9) || b - a == 9;
-            if (!edge || !is_near(a) || !is_near(b))
-                continue;
-            joined[a] |= NeighborhoodCode{1} << b;
-            joined[b] |= NeighborhoodCode{1} << a;
-        }
-    return joined;
+    return samples | (samples & ~kHighSide[0]) << 1U | (samples & ~kLowSide[0]) >> 1U |
+           (samples & ~kHighSide[1]) << 3U | (samples & ~kLowSide[1]) >> 3U |
+           (samples & ~kHighSide[2]) << 9U | (samples & ~kLowSide[2]) >> 9U;
 }
 
-//! Parts of `members`, joined along edges without the center, that an edge joins to the center.
-inline int parts_around_center(NeighborhoodCode members)
+//! Whether the members that an edge joins to the center are there, and of one part: joined along edges
+//! without the center and the corners.
+constexpr bool is_one_part_around_center(NeighborhoodCode members)
 {
-    static constexpr std::array<NeighborhoodCode, 27> kJoined = neighborhood_edges();
-    int parts = 0;
-    NeighborhoodCode reached = 0;
-    for (const std::size_t start : kEdgeNeighbors)
+    constexpr NeighborhoodCode kBesideCenter =
+        1U << 12U | 1U << 14U | 1U << 10U | 1U << 16U | 1U << 4U | 1U << 22U;
+    members &= kEdgesAndFaces;
+    const NeighborhoodCode wanted = members & kBesideCenter;
+    NeighborhoodCode reached = wanted & (~wanted + 1); // one of them
+    for (NeighborhoodCode before = 0; reached != before && (wanted & ~reached) != 0;)
     {
-        NeighborhoodCode front = members & ~reached & NeighborhoodCode{1} << start;
-        parts += front != 0 ? 1 : 0;
-        while (front != 0)
-        {
-            reached |= front;
-            NeighborhoodCode next = 0;
-            for (; front != 0; front &= front - 1)
-                next |= kJoined[static_cast<std::size_t>(std::countr_zero(front))];
-            front = next & members & ~reached;
-        }
+        before = reached;
+        reached = spread_along_edges(reached) & members;
     }
-    return parts;
+    return wanted != 0 && (wanted & ~reached) == 0;
 }
 
 //! Whether the sides stay joined as they are when the center changes sides.
-inline bool is_simple_center(NeighborhoodCode code)
+constexpr bool is_simple_center(NeighborhoodCode code)
 {
-    return parts_around_center(code) == 1 && parts_around_center(~code & kWholeNeighborhood) == 1;
+    return is_one_part_around_center(code) && is_one_part_around_center(~code);
 }
 
 } // namespace voroprobe

@@ -66,14 +66,14 @@ private:
     std::vector<std::uint8_t> sides_;
 };
 
-//! Two slices in a row, each read once while the window moves upwards.
+//! Two slices in a row and the one before them, each read once while the window moves upwards.
 class SliceWindow
 {
 public:
     //! Holds slices k and k + 1; -1 and the number of slices are beyond the border.
     SliceWindow(const HeightField& field, int k)
         : field_(field), k_(k), below_(field.frame().sample_count[0], field.frame().sample_count[1]),
-          above_(below_)
+          above_(below_), before_(below_)
     {
         below_.read(field_, k);
         above_.read(field_, k + 1);
@@ -81,12 +81,16 @@ public:
 
     void move_up()
     {
+        std::swap(before_, below_);
         std::swap(below_, above_);
         ++k_;
         above_.read(field_, k_ + 1);
     }
 
     [[nodiscard]] int k() const { return k_; }
+
+    //! Slice k - 1. \pre the window has moved up.
+    [[nodiscard]] const PaddedSlice& before() const { return before_; }
     [[nodiscard]] const PaddedSlice& below() const { return below_; }
     [[nodiscard]] const PaddedSlice& above() const { return above_; }
 
@@ -95,6 +99,7 @@ private:
     int k_;
     PaddedSlice below_;
     PaddedSlice above_;
+    PaddedSlice before_;
 };
 
 } // namespace voroprobe

@@ -65,7 +65,7 @@ public:
         {
             if (((cell.code() >> end & 1U) != 0) == inside)
                 continue;
-            const SurfaceId surface = inventory_.surface_between(cell.run(0)->region, cell.run(end)->region);
+            const SurfaceId surface = surface_between(cell.run(0)->region, cell.run(end)->region);
             if (surface != kNoSurface && take(cubes_.cube(cell), surface))
                 points_.push_back({surface, crossing(cell, end)});
         }
@@ -74,6 +74,17 @@ public:
     [[nodiscard]] std::vector<SurfacePoint> take() && { return std::move(points_); }
 
 private:
+    //! Most often that of the edge before.
+    [[nodiscard]] SurfaceId surface_between(Region a, Region b)
+    {
+        if (a != last_pair_.first || b != last_pair_.second)
+        {
+            last_pair_ = {a, b};
+            last_surface_ = inventory_.surface_between(a, b);
+        }
+        return last_surface_;
+    }
+
     //! False where the surface was taken in this cube.
     bool take(const std::array<int, 3>& cube, SurfaceId surface)
     {
@@ -109,6 +120,8 @@ private:
     int layer_ = -1;                            //!< of cubes
     std::vector<std::vector<SurfaceId>> taken_; //!< by cube of the layer
     std::vector<SurfacePoint> points_;
+    std::pair<Region, Region> last_pair_{kOuterRegion, kOuterRegion};
+    SurfaceId last_surface_ = kNoSurface;
 };
 
 } // namespace

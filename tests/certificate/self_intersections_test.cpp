@@ -46,6 +46,21 @@ TEST(SelfIntersectionsOfAnyMesh, of_two_crossing_spheres_are_those_of_the_indepe
     EXPECT_EQ(found, find_self_intersections(mesh));
 }
 
+TEST(SelfIntersectionsOfAnyMesh, of_a_sphere_with_vertices_out_of_place_are_those_of_the_independent_checker)
+{
+    for (std::uint64_t seed = 0; seed < 20; ++seed)
+    {
+        TriangleMesh mesh = sample::icosphere(3); // edges of about 0.14
+        Random random(seed);
+        for (int i = 0; i < 60; ++i)
+            mesh.vertices[random.below(mesh.vertices.size())] += Vec3{
+                0.4 * random.uniform() - 0.2, 0.4 * random.uniform() - 0.2, 0.4 * random.uniform() - 0.2};
+        const auto found = self_intersections(mesh);
+        EXPECT_FALSE(found.empty());
+        ASSERT_EQ(found, find_self_intersections(mesh)) << "seed " << seed;
+    }
+}
+
 TEST(SelfIntersectionsOfAnyMesh, an_icosphere_and_a_torus_have_none)
 {
     EXPECT_TRUE(self_intersections(sample::icosphere(4)).empty());

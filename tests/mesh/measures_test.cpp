@@ -2,9 +2,12 @@
 #include "mesh/measures.h"
 #include "mesh/vertex_normals.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "sample_meshes.h"
+#include "support/random.h"
 
 namespace voroprobe
 {
@@ -95,6 +98,31 @@ TEST(Measures, a_face_at_the_bound_is_not_below_it)
     EXPECT_EQ(count_faces_below_angle(tetrahedron(), 45.0), 0U);
     EXPECT_EQ(count_faces_below_angle(tetrahedron(), 45.1), 3U);
     EXPECT_EQ(count_faces_below_angle(tetrahedron(), 60.1), 4U);
+}
+
+TEST(Measures, faces_below_a_bound_are_those_whose_smallest_angle_is)
+{
+    Random random(1);
+    TriangleMesh mesh;
+    for (std::uint32_t f = 0; f < 300; ++f)
+    {
+        for (int i = 0; i < 3; ++i) // flat ones, and corners at one place, among them
+            mesh.vertices.push_back({static_cast<double>(random.below(4)),
+                                     static_cast<double>(random.below(4)),
+                                     f % 2 == 0 ? 0.0 : random.uniform()});
+        mesh.faces.push_back({3 * f, 3 * f + 1, 3 * f + 2});
+    }
+    for (const double bound_deg : {-1.0, 0.0, 1e-7, 10.0, 30.0, 45.0, 60.0, 88.9999999, 89.0, 90.0, 120.0})
+    {
+        std::size_t expected = 0;
+        for (const TriangleMesh::Face& face : mesh.faces)
+        {
+            const auto angles =
+                triangle_angles_deg(mesh.corner(face, 0), mesh.corner(face, 1), mesh.corner(face, 2));
+            expected += *std::min_element(angles.begin(), angles.end()) < bound_deg - 1e-9 ? 1 : 0;
+        }
+        EXPECT_EQ(count_faces_below_angle(mesh, bound_deg), expected) << bound_deg << " degrees";
+    }
 }
 
 TEST(VertexNormals, of_a_cube_corner_are_its_diagonal_whatever_the_triangles)
