@@ -5,7 +5,7 @@
 
 #include <CGAL/iterator.h>
 
-#include "mesher/point_triangle.h"
+#include "geometry/point_triangle.h"
 
 namespace voroprobe
 {

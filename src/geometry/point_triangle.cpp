@@ -1,4 +1,4 @@
-#include "mesher/point_triangle.h"
+#include "geometry/point_triangle.h"
 
 #include <algorithm>
 
