@@ -55,6 +55,16 @@ MeshCheck check_mesh(const TriangleMesh& mesh, std::optional<double> angle_bound
     return check;
 }
 
+MeshCheck check_objects(std::span<const MeshPart> objects, std::optional<double> angle_bound_deg)
+{
+    MeshCheck check = check_mesh(merged(objects), angle_bound_deg);
+    std::vector<std::size_t> faces_in_objects;
+    for (const MeshPart& object : objects)
+        faces_in_objects.push_back(object.mesh.faces.size());
+    check.object_overlaps = take_object_overlaps(check.self_intersections, faces_in_objects);
+    return check;
+}
+
 std::optional<std::string> defects(const MeshCheck& check)
 {
     const MeshTopology& topology = check.topology;

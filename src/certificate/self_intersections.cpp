@@ -207,4 +207,27 @@ std::vector<FacePair> self_intersections(const FaceTree& tree)
     return sorted;
 }
 
+bool first_faces_intersect(const TriangleMesh& mesh, std::size_t count)
+{
+    const FacePairs pairs(mesh);
+    std::vector<Box3> boxes(mesh.faces.size());
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+        for (std::size_t i = 0; i < 3; ++i)
+            boxes[f].include(mesh.corner(mesh.faces[f], i));
+    const auto meet = [&](std::size_t f, std::size_t g)
+    {
+        return !intersection(boxes[f], boxes[g]).empty() && pairs.has_area(mesh.faces[g]) &&
+               pairs.meet_elsewhere(mesh.faces[f], mesh.faces[g]);
+    };
+    for (std::size_t f = 0; f < count; ++f)
+    {
+        if (!pairs.has_area(mesh.faces[f]))
+            return true;
+        for (std::size_t g = f + 1; g < mesh.faces.size(); ++g)
+            if (meet(f, g))
+                return true;
+    }
+    return false;
+}
+
 } // namespace voroprobe

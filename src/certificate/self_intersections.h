@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -21,5 +22,10 @@ std::vector<FacePair> self_intersections(const TriangleMesh& mesh);
 
 //! The same for a mesh whose tree there is.
 std::vector<FacePair> self_intersections(const FaceTree& tree);
+
+//! Is one of the first `count` faces without area, or does it meet any other face elsewhere than in the
+//! corners and edges they share by index? As exact as self_intersections(). For a few faces and what lies
+//! around them: `count` times n box tests, on this thread. \pre coordinates are finite; `count` <= n.
+bool first_faces_intersect(const TriangleMesh& mesh, std::size_t count);
 
 } // namespace voroprobe

@@ -95,7 +95,9 @@ void run_check_command(const CheckArguments& arguments)
     run.seconds_reading = reading.seconds();
 
     const Stopwatch checking;
-    run.check = check_mesh(mesh, arguments.criteria.min_angle_deg);
+    run.check = check_objects(parts, arguments.criteria.min_angle_deg);
+    for (const MeshPart& part : parts)
+        run.objects.push_back(part.name);
     if (arguments.printable)
     {
         run.print = check_printable(parts, arguments.print);

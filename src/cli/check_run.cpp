@@ -22,6 +22,9 @@ using Json = nlohmann::ordered_json;
 //! Pairs of faces that cross, named in the JSON.
 constexpr std::size_t kMostPairsNamed = 10;
 
+//! Overlaps of objects, named in the report: the largest.
+constexpr std::size_t kMostOverlapsNamed = 5;
+
 //! Boxes are shown in the frame of the mesh; in lps where that is counted in voxels, so that they are in mm.
 AffineTransform shown_from_grid(const CheckRun& run)
 {
@@ -71,6 +74,32 @@ std::string crossings_text(const MeshCheck& check)
            " doubled; " + count_text(check.topology.unused_vertices) + " vertices on no face";
 }
 
+std::string object_name(const CheckRun& run, std::size_t object)
+{
+    const std::string& name = run.objects[object];
+    return name.empty() ? "object " + std::to_string(object + 1) : "'" + name + "'";
+}
+
+//! "3; 1 pair of them overlaps: 'a' and 'b' at 12 pairs of faces".
+std::string objects_text(const CheckRun& run)
+{
+    std::vector<ObjectOverlap> largest = run.check.object_overlaps;
+    const auto has_more = [](const ObjectOverlap& a, const ObjectOverlap& b)
+    { return a.face_pairs > b.face_pairs; };
+    std::stable_sort(largest.begin(), largest.end(), has_more);
+    std::string text = count_text(run.objects.size()) + "; ";
+    if (largest.empty())
+        return text + "none touches or overlaps another";
+    text += count_text(largest.size()) +
+            (largest.size() == 1 ? " pair of them touches or overlaps:" : " pairs of them touch or overlap:");
+    const std::size_t named = std::min(largest.size(), kMostOverlapsNamed);
+    for (std::size_t i = 0; i < named; ++i)
+        text += (i == 0 ? " " : ", ") + object_name(run, largest[i].first) + " and " +
+                object_name(run, largest[i].second) + " at " + count_text(largest[i].face_pairs) +
+                (largest[i].face_pairs == 1 ? " pair of faces" : " pairs of faces");
+    return text + (named < largest.size() ? ", and others" : "");
+}
+
 std::string angles_text(const CheckRun& run)
 {
     const MeshCheck& check = run.check;
@@ -100,8 +129,9 @@ std::string mesh_lines(const CheckRun& run)
     return info_line("mesh", run.arguments.mesh.string()) +
            info_line("", count_text(check.vertices) + " vertices, " + count_text(check.faces) + " faces") +
            info_line("topology", topology_text(check.topology)) +
-           info_line("pieces", pieces_text(check.pieces)) + info_line("faces", crossings_text(check)) +
-           info_line("angles", angles_text(run)) +
+           info_line("pieces", pieces_text(check.pieces)) +
+           (run.objects.size() > 1 ? info_line("objects", objects_text(run)) : "") +
+           info_line("faces", crossings_text(check)) + info_line("angles", angles_text(run)) +
            info_line("area", number_text(check.area) + ", volume " + number_text(check.enclosed_volume)) +
            info_line("box", box_text(check.box));
 }
@@ -150,6 +180,16 @@ Json pairs_json(const std::vector<FacePair>& pairs)
     return list;
 }
 
+Json overlaps_json(const CheckRun& run)
+{
+    Json list = Json::array();
+    for (const ObjectOverlap& overlap : run.check.object_overlaps)
+        list.push_back({{"objects", Json::array({overlap.first + 1, overlap.second + 1})},
+                        {"names", Json::array({run.objects[overlap.first], run.objects[overlap.second]})},
+                        {"face_pairs", overlap.face_pairs}});
+    return list;
+}
+
 Json mesh_json(const CheckRun& run)
 {
     const MeshCheck& check = run.check;
@@ -182,6 +222,8 @@ Json mesh_json(const CheckRun& run)
              check.faces_below_angle_bound ? Json(*check.faces_below_angle_bound) : Json(nullptr)},
             {"box", json_of(check.box)},
             {"first_self_intersections", pairs_json(check.self_intersections)},
+            {"objects", run.objects.size()},
+            {"object_overlaps", overlaps_json(run)},
             {"pieces", pieces_json(check.pieces)}};
 }
 

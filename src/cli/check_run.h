@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "certificate/certificate.h"
 #include "certificate/mesh_check.h"
@@ -23,6 +24,7 @@ struct CheckRun
 {
     CheckArguments arguments;
     MeshCheck check;                                //!< in the coordinates of the file
+    std::vector<std::string> objects = {};          //!< their names, in the order of the file
     std::optional<PrintCheck> print = std::nullopt; //!< where it was asked for
     std::optional<ScanComparison> scan = std::nullopt;
     double seconds_reading = 0.0; //!< wall clock: the mesh, and the scan

@@ -31,9 +31,9 @@ constexpr double kAnnealingMarginDeg = 0.25;
 constexpr std::size_t kAnnealingSteps = 4000;
 constexpr std::array kTemperatures{200.0, 30.0, 5.0};
 
-//! In all, at about 0.2 s each. A skull takes half as many; where there is work for more it is the surface
-//! or the bound.
-constexpr std::size_t kMostAnnealings = 400;
+//! In all, at about 0.1 s each. Skulls take some hundred; where there is work for more it is the surface or
+//! the bound.
+constexpr std::size_t kMostAnnealings = 1000;
 
 //! Rounds that leave as many faces of each patch beyond the bound as there are. Later ones may have more, up
 //! to what the whole mesh had.
@@ -271,9 +271,9 @@ bool AngleRepair::accept_best(std::vector<ChangedPatch> found, const FacePatch& 
     if (found.empty())
         return false;
     const PatchFit fit_before = guard_.fit(before);
-    const auto best =
-        std::find_if(found.begin(), found.end(),
-                     [&](const ChangedPatch& trial) { return guard_.is_sound(trial.patch, fit_before); });
+    const auto best = std::find_if(found.begin(), found.end(),
+                                   [&](const ChangedPatch& trial)
+                                   { return guard_.is_sound(trial.patch, before, fit_before); });
     if (best == found.end())
         return false;
     commit(*best);

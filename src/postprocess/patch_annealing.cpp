@@ -63,20 +63,13 @@ private:
         if (!change(trial))
             return;
         trial.shortfall = trial.patch.shortfall(options_.goal_angle_deg);
-        if (trial.shortfall > current_.shortfall + allowed_rise || !guard_.is_sound(trial.patch, fit_before_))
+        if (trial.shortfall > current_.shortfall + allowed_rise ||
+            !guard_.is_sound(trial.patch, current_.patch, fit_before_) ||
+            !shift_bound_.holds(trial.patch.mesh()))
             return;
         current_ = std::move(trial);
         if (current_.shortfall < best_.shortfall && current_.patch.smallest_angle_deg() >= smallest_before_)
-            keep_if_near();
-    }
-
-    //! The dear question is asked of the best alone.
-    void keep_if_near()
-    {
-        if (shift_bound_.holds(current_.patch.mesh()))
             best_ = current_;
-        else
-            current_ = best_;
     }
 
     bool change(ChangedPatch& trial)
@@ -111,7 +104,7 @@ private:
         const double x = random_.uniform(-1.0, 1.0);
         const double y = random_.uniform(-1.0, 1.0);
         const double z = random_.uniform(-1.0, 1.0);
-        return project(trial.patch, v, here + size * Vec3{x, y, z});
+        return place(trial.patch, v, here + size * Vec3{x, y, z});
     }
 
     //! Into one end, or the middle.
@@ -122,7 +115,7 @@ private:
         if (!trial.patch.collapse(a, b))
             return false;
         if (random_.below(2) != 0)
-            return project(trial.patch, a, trial.patch.point(a));
+            return place(trial.patch, a, trial.patch.point(a));
         trial.patch.move(a, end);
         return true;
     }
@@ -133,11 +126,17 @@ private:
         if (!trial.patch.split(a, b))
             return false;
         const std::uint32_t middle = trial.patch.inner().back();
-        return project(trial.patch, middle, trial.patch.point(middle));
+        return place(trial.patch, middle, trial.patch.point(middle));
     }
 
-    bool project(FacePatch& patch, std::uint32_t vertex, const Point3& to) const
+    //! Onto the surface; or nowhere, where faces do not follow it: the bound on the shift holds them.
+    bool place(FacePatch& patch, std::uint32_t vertex, const Point3& to)
     {
+        if (guard_.is_beyond(patch, vertex))
+        {
+            patch.move(vertex, to);
+            return true;
+        }
         const auto target = surface_.projection(to);
         if (target)
             patch.move(vertex, target->point);

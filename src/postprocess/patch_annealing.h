@@ -44,10 +44,11 @@ struct AnnealingOptions
 
 //! Looks for a patch without short angles by random moves, flips, collapses and splits: at first also by such
 //! that make angles smaller, in the end by those alone that help. After every step the guard would let the
-//! patch take the place of `before`. \return the state with the least shortfall, among those with no smaller
-//! angle than `before` for which the bound on the shift holds; `before` itself where nothing was gained.
-//! Cost: some 0.1 ms a step. Source: Kirkpatrick, Gelatt & Vecchi 1983, "Optimization by simulated
-//! annealing".
+//! patch take the place of `before`, and the bound on the shift holds. Vertices stay on the surface, but for
+//! those on faces beyond the bound: the surface is not near them, and projecting on it would take them far
+//! from where they were. \return the state with the least shortfall, among those with no smaller angle than
+//! `before`; `before` itself where nothing was gained. Cost: some 20 microseconds a step. Source:
+//! Kirkpatrick, Gelatt & Vecchi 1983, "Optimization by simulated annealing".
 ChangedPatch anneal(const FacePatch& before, const BoundingSurface& surface, PatchGuard& guard,
                     const ShiftBound& shift_bound, const AnnealingOptions& options);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <vector>
 
 #include "certificate/self_intersections.h"
 #include "postprocess/face_shape.h"
@@ -45,6 +46,14 @@ struct LocalMesh
     }
 };
 
+//! Does another state of the patch have the same face at the same place?
+bool is_in(const Face& face, const FacePatch& patch, const FacePatch& other)
+{
+    return std::find(other.faces().begin(), other.faces().end(), face) != other.faces().end() &&
+           std::all_of(face.begin(), face.end(),
+                       [&](std::uint32_t v) { return patch.point(v) == other.point(v); });
+}
+
 } // namespace
 
 const PatchGuard::FaceFit& PatchGuard::fit_of(const Point3& a, const Point3& b, const Point3& c)
@@ -61,6 +70,19 @@ const PatchGuard::FaceFit& PatchGuard::fit_of(const Point3& a, const Point3& b, 
     fit.middle_distance = near ? distance(middle, near->point) : std::numeric_limits<double>::infinity();
     fit.tilt = near ? dot(unit_normal(a, b, c), near->normal) : -1.0;
     return fit;
+}
+
+bool PatchGuard::is_beyond(const FacePatch& patch, std::uint32_t vertex)
+{
+    const auto& faces = patch.faces();
+    return std::any_of(
+        faces.begin(), faces.end(),
+        [&](const Face& face)
+        {
+            return std::find(face.begin(), face.end(), vertex) != face.end() &&
+                   fit_of(patch.point(face[0]), patch.point(face[1]), patch.point(face[2])).face_distance >
+                       surface_.max_distance;
+        });
 }
 
 PatchFit PatchGuard::fit(const FacePatch& patch)
@@ -85,28 +107,33 @@ bool PatchGuard::keeps_to_surface(const PatchFit& after, const PatchFit& before)
            (after.tilt >= kCosLargestTilt || after.tilt >= std::min(kCosLargestTiltAtCreases, before.tilt));
 }
 
-bool PatchGuard::is_sound(const FacePatch& after, const PatchFit& before)
+bool PatchGuard::is_sound(const FacePatch& after, const FacePatch& previous, const PatchFit& before)
 {
-    return keeps_to_surface(fit(after), before) && crosses_nothing(after);
+    return keeps_to_surface(fit(after), before) && crosses_nothing(after, previous);
 }
 
-bool PatchGuard::crosses_nothing(const FacePatch& patch) const
+//! Asks for the new faces alone, which come first.
+bool PatchGuard::crosses_nothing(const FacePatch& after, const FacePatch& previous) const
 {
+    std::vector<Face> kept;
     LocalMesh local;
     Box3 box;
-    for (const Face& face : patch.faces())
-    {
-        local.add(face, patch);
-        for (const std::uint32_t v : face)
-            box.include(patch.point(v));
-    }
-    const std::size_t of_patch = local.mesh.faces.size();
+    for (const Face& face : after.faces())
+        if (is_in(face, after, previous))
+            kept.push_back(face);
+        else
+        {
+            local.add(face, after);
+            for (const std::uint32_t v : face)
+                box.include(after.point(v));
+        }
+    const std::size_t new_faces = local.mesh.faces.size();
+    for (const Face& face : kept)
+        local.add(face, after);
     for (const std::uint32_t f : grid_.faces_near(box))
-        if (!patch.replaces(f))
-            local.add(mesh_.face(f), patch);
-    const std::vector<FacePair> pairs = self_intersections(local.mesh);
-    return std::none_of(pairs.begin(), pairs.end(),
-                        [of_patch](const FacePair& pair) { return pair.first < of_patch; });
+        if (!after.replaces(f))
+            local.add(mesh_.face(f), after);
+    return !first_faces_intersect(local.mesh, new_faces);
 }
 
 } // namespace voroprobe

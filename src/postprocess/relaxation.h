@@ -42,6 +42,7 @@ struct RelaxationResult
 //! every face below the target gets the best of moves, flips, collapses and splits around it, and what that
 //! leaves is annealed. The topology stays as it is. No face comes to lie farther from the surface than the
 //! bound, but for as many as lay beyond it before, and none of these farther than the farthest near it did.
+//! Where faces were beyond the bound already, vertices leave the surface, within the largest shift.
 //! Where faces would come to cross, what lies around is left to exact checks. Deterministic. \pre closed,
 //! manifold. \throw UsageError where an option is out of its range. Cost: about 0.1 ms a face. Source of the
 //! sweeps: Botsch & Kobbelt 2004, "A remeshing approach to multiresolution modeling".

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <set>
 #include <vector>
 
 #include "certificate/mesh_distance.h"
@@ -24,15 +27,27 @@ public:
     public:
         //! Is the patch that takes the other's place within reach of the original, and are those points of
         //! the original within reach of it that were so of the other? Where that was farther, as far will do.
-        [[nodiscard]] bool holds(const TriangleMesh& patch) const;
+        //! Quick where little has changed since it was asked before. Remembers: one per thread.
+        [[nodiscard]] bool holds(const TriangleMesh& patch);
 
     private:
         friend class ShiftBound;
 
+        //! A point of the original and the face of the patch that was near it when last asked.
+        struct PointToReach
+        {
+            Point3 point;
+            std::size_t near_face = 0;
+        };
+
+        [[nodiscard]] bool is_near_original(const Point3& p);
+        [[nodiscard]] bool is_reached(PointToReach& p, const TriangleMesh& patch) const;
+
         const MeshDistance* distance_to_original_;
         double reach_from_patch_;
         double reach_from_original_;
-        std::vector<Point3> points_of_original_;
+        std::vector<PointToReach> points_of_original_;
+        std::set<std::array<double, 3>> known_near_; //!< to the original
     };
 
     //! Cost: a pass over the original. The bound must outlive what it returns.

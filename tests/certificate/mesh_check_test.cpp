@@ -107,5 +107,42 @@ TEST(MeshCheck, counts_faces_by_their_smallest_angle)
     EXPECT_EQ(check.faces_below_angle_bound, 2U) << "atan 0.3 is 16.7 degrees";
 }
 
+TEST(MeshCheck, objects_may_overlap_but_not_cross_themselves)
+{
+    TriangleMesh crossing = sample::icosphere(2);
+    sample::append(crossing, sample::icosphere(2), {1.0, 0.1, 0.2});
+    TriangleMesh neighbour = sample::icosphere(2);
+    transform(neighbour, {{{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}}, {-1.0, 0.1, 0.2}});
+    const std::size_t crossing_itself = check_mesh(crossing).self_intersections.size();
+    ASSERT_GT(crossing_itself, 0U);
+
+    const std::vector<MeshPart> apart{{.name = "a", .mesh = sample::icosphere(2)},
+                                      {.name = "b", .mesh = neighbour}};
+    const MeshCheck of_apart = check_objects(apart);
+    EXPECT_TRUE(of_apart.self_intersections.empty());
+    EXPECT_FALSE(defects(of_apart));
+    ASSERT_EQ(of_apart.object_overlaps.size(), 1U);
+    EXPECT_EQ(of_apart.object_overlaps[0].first, 0U);
+    EXPECT_EQ(of_apart.object_overlaps[0].second, 1U);
+    EXPECT_EQ(of_apart.object_overlaps[0].face_pairs, check_mesh(merged(apart)).self_intersections.size());
+
+    const std::vector<MeshPart> beside{{.name = "b", .mesh = neighbour}, {.name = "c", .mesh = crossing}};
+    const MeshCheck of_beside = check_objects(beside);
+    EXPECT_EQ(of_beside.self_intersections.size(), crossing_itself);
+    EXPECT_TRUE(defects(of_beside));
+}
+
+TEST(MeshCheck, objects_with_a_common_interface_touch_in_all_its_faces)
+{
+    const std::vector<MeshPart> twins{{.name = "a", .mesh = sample::icosphere(1)},
+                                      {.name = "b", .mesh = sample::icosphere(1)},
+                                      {.name = "c", .mesh = sample::icosphere(1)}};
+    const MeshCheck check = check_objects(twins);
+    EXPECT_FALSE(defects(check));
+    ASSERT_EQ(check.object_overlaps.size(), 3U);
+    for (const ObjectOverlap& overlap : check.object_overlaps)
+        EXPECT_GE(overlap.face_pairs, twins[0].mesh.faces.size());
+}
+
 } // namespace
 } // namespace voroprobe

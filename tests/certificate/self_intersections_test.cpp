@@ -61,6 +61,20 @@ TEST(SelfIntersectionsOfAnyMesh, of_a_sphere_with_vertices_out_of_place_are_thos
     }
 }
 
+TEST(SelfIntersectionsOfAnyMesh, those_of_the_first_faces_are_among_all_of_them)
+{
+    for (std::uint64_t seed = 0; seed < 150; ++seed)
+    {
+        const TriangleMesh mesh = crumpled_mesh(seed, 1 + seed % 6);
+        const auto pairs = self_intersections(mesh);
+        for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{5}, mesh.faces.size()})
+            ASSERT_EQ(first_faces_intersect(mesh, count),
+                      std::any_of(pairs.begin(), pairs.end(),
+                                  [&](const FacePair& pair) { return pair.first < count; }))
+                << "seed " << seed << ", " << count << " faces";
+    }
+}
+
 TEST(SelfIntersectionsOfAnyMesh, an_icosphere_and_a_torus_have_none)
 {
     EXPECT_TRUE(self_intersections(sample::icosphere(4)).empty());

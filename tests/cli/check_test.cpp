@@ -83,6 +83,30 @@ TEST_F(CheckTest, a_closed_mesh_passes_and_is_described)
     EXPECT_FALSE(json().contains("certificate"));
 }
 
+TEST_F(CheckTest, objects_that_overlap_are_told_and_pass_and_one_that_crosses_itself_fails)
+{
+    const std::string both = file("both.off", "OFF\n8 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+                                              "0.2 0.2 0.2\n1.2 0.2 0.2\n0.2 1.2 0.2\n0.2 0.2 1.2\n"
+                                              "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"
+                                              "3 4 6 5\n3 4 5 7\n3 5 6 7\n3 6 4 7\n");
+    const program::Outcome as_one = program::run({"check", both});
+    EXPECT_EQ(as_one.status, 5);
+    EXPECT_NE(as_one.err.find("cross or overlap"), std::string::npos) << as_one.err;
+
+    const std::string apart = folder_ / "apart.3mf";
+    const program::Outcome split = program::run({"process", both, "--split", "-o", apart, "-q"});
+    ASSERT_EQ(split.status, 0) << split.err;
+    const program::Outcome as_two = program::run({"check", apart, "--json", folder_ / "check.json"});
+    EXPECT_EQ(as_two.status, 0) << as_two.err;
+    EXPECT_NE(as_two.out.find("2; 1 pair of them touches or overlaps"), std::string::npos) << as_two.out;
+    const nlohmann::json mesh = json()["mesh"];
+    EXPECT_EQ(mesh["self_intersections"], 0);
+    EXPECT_EQ(mesh["objects"], 2);
+    ASSERT_EQ(mesh["object_overlaps"].size(), 1U);
+    EXPECT_EQ(mesh["object_overlaps"][0]["objects"], nlohmann::json::array({1, 2}));
+    EXPECT_GT(mesh["object_overlaps"][0]["face_pairs"], 0);
+}
+
 TEST_F(CheckTest, an_open_mesh_fails_with_the_reason_on_one_line)
 {
     const program::Outcome outcome = program::run({"check", file("t.off", kOpenTetrahedron), "-q"});

@@ -1,6 +1,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 #include <memory>
+#include <optional>
 
 #include "../mesh/sample_meshes.h"
 #include "certificate/self_intersections.h"
@@ -114,6 +116,36 @@ TEST(Relaxation, no_more_faces_lie_beyond_the_bound_than_did)
         EXPECT_TRUE(self_intersections(result.mesh).empty());
         EXPECT_EQ(result.short_faces.all(), count_faces_below_angle(result.mesh, 33.0));
     }
+}
+
+//! As where refinement ended before it came to the surface.
+BoundingSurface no_surface_near(double max_distance)
+{
+    return {[](const Point3&) { return std::optional<NearestPoint>(); },
+            [](const Point3&, const Point3&, const Point3&)
+            { return std::numeric_limits<double>::infinity(); },
+            max_distance};
+}
+
+TEST(Relaxation, angles_rise_where_there_is_no_surface_near_and_the_mesh_stays_where_it_was)
+{
+    constexpr double kBound = 0.3;
+    TriangleMesh before = icosphere(2, 10.0);
+    Random random(1);
+    for (Point3& p : before.vertices)
+        p = 10.0 * normalized(p + Vec3{random.uniform(-0.8, 0.8), random.uniform(-0.8, 0.8),
+                                       random.uniform(-0.8, 0.8)});
+    const std::size_t short_before = count_faces_below_angle(before, 33.0);
+    ASSERT_GT(short_before, 10U);
+
+    const RelaxationResult result = relax(before, no_surface_near(kBound));
+
+    EXPECT_GE(measure_angles(result.mesh).min_deg, 33.0) << "of " << short_before;
+    EXPECT_TRUE(is_closed_manifold(result.mesh));
+    EXPECT_EQ(euler_characteristic(result.mesh), 2);
+    EXPECT_TRUE(self_intersections(result.mesh).empty());
+    EXPECT_LE(result.mesh.faces.size(), before.faces.size());    // all of them beyond the bound
+    EXPECT_LE(deviation(before, result.mesh).max, 4.5 * kBound); // asked at fewer points than are measured
 }
 
 TEST(Relaxation, options_out_of_range_are_refused)

@@ -20,7 +20,7 @@ TEST(ShiftBound, holds_within_its_reach_and_no_farther)
 {
     const TriangleMesh sphere = sample::icosphere(3, 10.0);
     const ShiftBound bound(sphere, 0.5);
-    const ShiftBound::OfPatch of_sphere = bound.around(sphere);
+    ShiftBound::OfPatch of_sphere = bound.around(sphere);
     EXPECT_TRUE(of_sphere.holds(sphere));
     EXPECT_TRUE(of_sphere.holds(scaled(sphere, 1.03)));
     EXPECT_FALSE(of_sphere.holds(scaled(sphere, 1.2)));
