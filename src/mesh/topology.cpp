@@ -5,6 +5,7 @@
 #include <span>
 #include <tuple>
 
+#include "mesh/edge_table.h"
 #include "support/check.h"
 
 namespace voroprobe

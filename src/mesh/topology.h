@@ -4,11 +4,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesh/edge_table.h"
 #include "mesh/triangle_mesh.h"
 
 namespace voroprobe
 {
+
+class EdgeTable;
 
 //! Combinatorial facts about a mesh. "Piece": faces connected through shared edges. Degenerate faces are
 //! counted and otherwise treated as collapsed: they connect pieces, but add no edge, no fan and nothing to

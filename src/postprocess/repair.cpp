@@ -14,6 +14,7 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Surface_mesh.h>
 
+#include "mesh/edge_table.h"
 #include "mesh/topology.h"
 
 namespace voroprobe

@@ -99,7 +99,7 @@ public:
     }
 
 private:
-    static constexpr int kLowest = std::numeric_limits<Sample>::lowest();
+    static constexpr int kLowest = std::is_signed_v<Sample> ? -(1 << (8 * sizeof(Sample) - 1)) : 0;
 
     //! Fewer than 32 bits can count.
     static constexpr std::size_t kCountedAtOnce = std::size_t{1} << 31U;
