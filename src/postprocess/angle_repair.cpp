@@ -40,6 +40,9 @@ constexpr std::size_t kMostAnnealings = 1000;
 constexpr std::size_t kPatientRounds = 2;
 constexpr std::size_t kMostMoreBeyond = 4; // at once
 
+//! Of the bound on the shift, by round: what a small shift mends is not shifted far.
+constexpr std::array kShiftShares{0.125, 0.125, 0.25, 0.25, 0.5, 0.5, 1.0};
+
 //! Trials that are put to the guard, the best first.
 constexpr std::size_t kMostQuestions = 24;
 
@@ -180,6 +183,7 @@ void AngleRepair::anneal_around(std::uint32_t f, std::size_t round, const ShiftB
                     .steps = kAnnealingSteps,
                     .seed = annealings_++,
                     .more_beyond = round < kPatientRounds ? 0 : std::min(spare, kMostMoreBeyond),
+                    .shift_share = kShiftShares[std::min(round, kShiftShares.size() - 1)],
                     .temperature = kTemperatures[round % kTemperatures.size()]});
         if (found.shortfall > before.shortfall(goal_angle_deg) - kLeastGain)
             continue;

@@ -33,7 +33,8 @@ public:
     Annealing(const FacePatch& before, const BoundingSurface& surface, PatchGuard& guard,
               const ShiftBound& shift_bound, const AnnealingOptions& options)
         : surface_(surface), guard_(guard), options_(options), random_(options.seed),
-          fit_before_(guard.fit(before)), shift_bound_(shift_bound.around(before.mesh())),
+          fit_before_(guard.fit(before)),
+          shift_bound_(shift_bound.around(before.mesh(), options.shift_share)),
           smallest_before_(before.smallest_angle_deg()), current_{before,
                                                                   before.shortfall(options.goal_angle_deg),
                                                                   {}},

@@ -38,6 +38,8 @@ struct AnnealingOptions
     //! So many more faces may lie beyond the bound than in the patch before.
     std::size_t more_beyond = 0;
 
+    double shift_share = 1.0; //!< of the bound on the shift that may be used, in (0, 1]
+
     //! By how much a step may raise the shortfall at first, squared degrees, > 0.
     double temperature;
 };

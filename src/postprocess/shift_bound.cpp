@@ -21,12 +21,13 @@ Point3 middle_of(const TriangleMesh& mesh, const TriangleMesh::Face& face)
 
 } // namespace
 
-ShiftBound::OfPatch ShiftBound::around(const TriangleMesh& patch) const
+ShiftBound::OfPatch ShiftBound::around(const TriangleMesh& patch, double share) const
 {
+    const double reach = share * reach_;
     OfPatch bound;
     bound.distance_to_original_ = &distance_to_original_;
-    bound.reach_from_original_ = reach_;
-    bound.reach_from_patch_ = reach_;
+    bound.reach_from_original_ = reach;
+    bound.reach_from_patch_ = reach;
     const auto widen = [&](const Point3& p)
     { bound.reach_from_patch_ = std::max(bound.reach_from_patch_, distance_to_original_(p)); };
     std::for_each(patch.vertices.begin(), patch.vertices.end(), widen);
@@ -34,12 +35,12 @@ ShiftBound::OfPatch ShiftBound::around(const TriangleMesh& patch) const
         widen(middle_of(patch, face));
 
     Box3 box = bounding_box(patch);
-    box.min = box.min - reach_ * Vec3{1, 1, 1};
-    box.max = box.max + reach_ * Vec3{1, 1, 1};
+    box.min = box.min - reach * Vec3{1, 1, 1};
+    box.max = box.max + reach * Vec3{1, 1, 1};
     const MeshDistance distance_to_patch(patch);
     const auto gather = [&](const Point3& p)
     {
-        if (box.contains(p) && distance_to_patch(p) <= reach_)
+        if (box.contains(p) && distance_to_patch(p) <= reach)
             bound.points_of_original_.push_back({p});
     };
     std::for_each(original_.vertices.begin(), original_.vertices.end(), gather);

@@ -50,8 +50,9 @@ public:
         std::set<std::array<double, 3>> known_near_; //!< to the original
     };
 
-    //! Cost: a pass over the original. The bound must outlive what it returns.
-    [[nodiscard]] OfPatch around(const TriangleMesh& patch) const;
+    //! `share` of the reach, in (0, 1]. Cost: a pass over the original. The bound must outlive what it
+    //! returns.
+    [[nodiscard]] OfPatch around(const TriangleMesh& patch, double share = 1.0) const;
 
 private:
     const TriangleMesh& original_;

@@ -34,6 +34,16 @@ TEST(ShiftBound, is_of_the_original_and_not_of_the_steps)
     EXPECT_FALSE(bound.around(halfway).holds(scaled(sphere, 1.08)));
 }
 
+TEST(ShiftBound, allows_a_share_of_its_reach_where_less_is_asked)
+{
+    const TriangleMesh sphere = sample::icosphere(3, 10.0);
+    const ShiftBound bound(sphere, 0.5);
+    const TriangleMesh larger = scaled(sphere, 1.03);
+    EXPECT_TRUE(bound.around(sphere, 1.0).holds(larger));
+    EXPECT_FALSE(bound.around(sphere, 0.5).holds(larger));
+    EXPECT_TRUE(bound.around(larger, 0.5).holds(larger)) << "what is farther already may stay there";
+}
+
 TEST(ShiftBound, sees_what_was_cut_off)
 {
     TriangleMesh spike = sample::tetrahedron();
