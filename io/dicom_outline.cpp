@@ -56,6 +56,7 @@ struct Element
     std::uint32_t tag;
     std::uint32_t length;
     bool is_known = true; //!< false where the value is of a type that DICOM does not have
+    Encoding of_items{};  //!< where its length is undefined
 };
 
 //! Reads elements one after the other and never beyond the end of the file.
@@ -75,7 +76,7 @@ public:
     //! Reads tag and length and stands at the value.
     Element next(const Encoding& encoding)
     {
-        Element element{.tag = peek_tag(encoding), .length = 0};
+        Element element{.tag = peek_tag(encoding), .length = 0, .of_items = encoding};
         at_ += 4;
         const bool is_delimiter = (element.tag >> 16U) == 0xfffeU;
         if (!encoding.explicit_type || is_delimiter)
@@ -84,6 +85,8 @@ public:
         const std::string_view type = bytes_.substr(at_, 2);
         at_ += 2;
         element.is_known = is_one_of(type, kTypes);
+        if (type == "UN")
+            element.of_items = {.explicit_type = false}; // PS3.5 section 6.2.2, note 2
         if (is_one_of(type, kLongTypes))
         {
             at_ += 2;
@@ -129,7 +132,7 @@ private:
             if (element.tag == kItemEnd)
                 return;
             if (element.length == kUndefinedLength)
-                skip_sequence(encoding, depth + 1);
+                skip_sequence(element.of_items, depth + 1);
             else
                 take(element.length);
         }
@@ -193,7 +196,7 @@ DicomOutline walk_data_set(Walker& walker, const Encoding& encoding)
         if (!element.is_known)
             return outline;
         if (element.length == kUndefinedLength)
-            walker.skip_sequence(encoding, 0);
+            walker.skip_sequence(element.of_items, 0);
         else if (const std::string_view value = walker.take(element.length);
                  element.tag == kSeriesInstanceUid)
             outline.series_uid = value.substr(0, value.find_last_not_of(std::string_view("\0 ", 2)) + 1);

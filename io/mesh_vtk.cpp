@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <fstream>
 #include <limits>
 #include <optional>
@@ -147,6 +148,17 @@ TriangleMesh read_with(Reader& reader, const std::filesystem::path& path)
     return mesh_of(*data);
 }
 
+//! Blanks, empty lines and capitals before and in the first word are met with, and read by VTK.
+bool begins_like_text(std::string_view header)
+{
+    constexpr std::string_view kFirstWord = "solid";
+    header.remove_prefix(std::min(header.find_first_not_of(" \t\r\n"), header.size()));
+    return header.size() >= kFirstWord.size() &&
+           std::equal(kFirstWord.begin(), kFirstWord.end(), header.begin(),
+                      [](char expected, char c)
+                      { return expected == std::tolower(static_cast<unsigned char>(c)); });
+}
+
 //! The number of faces a binary STL file announces; nullopt for text, which begins with "solid" and, unlike
 //! some binary files that do too, is not exactly as long as the number there would make it.
 std::optional<std::uint32_t> announced_faces(const std::filesystem::path& path)
@@ -158,10 +170,9 @@ std::optional<std::uint32_t> announced_faces(const std::filesystem::path& path)
     in.read(reinterpret_cast<char*>(header.data()), std::ssize(header));
     const std::uint32_t count = header[80] | header[81] << 8U | header[82] << 16U |
                                 static_cast<std::uint32_t>(header[83]) << 24U; // little endian
-    const bool begins_like_text =
-        std::string_view(reinterpret_cast<const char*>(header.data()), 5) == "solid";
+    const bool may_be_text = begins_like_text({reinterpret_cast<const char*>(header.data()), header.size()});
     const bool has_that_length = std::filesystem::file_size(path) == kHeaderBytes + kFaceBytes * count;
-    return begins_like_text && !has_that_length ? std::nullopt : std::optional(count);
+    return may_be_text && !has_that_length ? std::nullopt : std::optional(count);
 }
 
 } // namespace

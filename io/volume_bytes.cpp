@@ -22,6 +22,7 @@ namespace
 constexpr std::uint64_t kMaxDeflateRatio = 1032;
 
 constexpr unsigned kReadChunk = 1U << 20U;
+constexpr std::size_t kPassedOverAtOnce = 4096;
 
 struct CloseGzip
 {
@@ -79,19 +80,52 @@ void read_plain(const std::filesystem::path& path, std::uint64_t start, std::spa
         throw_truncated(found, to.size(), path);
 }
 
+[[noreturn]] void throw_damaged(const std::filesystem::path& path, const std::string& what)
+{
+    throw InputError("damaged: the compressed content of " + path.filename().string() + " " + what);
+}
+
+int error_of(gzFile_s* file)
+{
+    int error = Z_OK;
+    gzerror(file, &error);
+    return error;
+}
+
+bool is_damaged(gzFile_s* file)
+{
+    return error_of(file) == Z_DATA_ERROR;
+}
+
+//! The checksum comes after the content, and zlib looks at it there only. What is longer than expected, as
+//! files of many frames are, is read on as far again and then taken as it is.
+void require_checksum(gzFile_s* file, std::size_t most, const std::filesystem::path& path)
+{
+    if (gzdirect(file) != 0)
+        return;
+    std::array<std::byte, kPassedOverAtOnce> passed_over;
+    for (std::size_t passed = 0; passed <= most; passed += passed_over.size())
+    {
+        if (read_up_to(file, passed_over) == passed_over.size())
+            continue;
+        if (is_damaged(file))
+            throw_damaged(path, "does not agree with its checksum");
+        if (error_of(file) == Z_BUF_ERROR)
+            throw_damaged(path, "ends before its checksum");
+        return;
+    }
+}
+
 void read_plain_or_gzip(const std::filesystem::path& path, std::uint64_t start, std::span<std::byte> to)
 {
     const Gzip file = open_gzip(path);
     const bool started = gzseek(file.get(), static_cast<z_off_t>(start), SEEK_SET) >= 0;
     const std::size_t found = started ? read_up_to(file.get(), to) : 0;
     if (found == to.size())
-        return;
-    int error = Z_OK;
-    gzerror(file.get(), &error);
-    if (error == Z_DATA_ERROR)
-        throw InputError("damaged: the compressed content of " + path.filename().string() +
-                         " cannot be unpacked after " + std::to_string(found) +
-                         " bytes of samples, expected " + std::to_string(to.size()));
+        return require_checksum(file.get(), to.size(), path);
+    if (is_damaged(file.get()))
+        throw_damaged(path, "cannot be unpacked after " + std::to_string(found) +
+                                " bytes of samples, expected " + std::to_string(to.size()));
     throw_truncated(found, to.size(), path);
 }
 
@@ -152,7 +186,7 @@ private:
 void read_zlib(const std::filesystem::path& path, const ByteSource& source, std::span<std::byte> to)
 {
     InflateStream stream(path, source.offset);
-    std::array<std::byte, 4096> passed_over;
+    std::array<std::byte, kPassedOverAtOnce> passed_over;
     for (std::uint64_t left = source.skip; left > 0;)
     {
         const std::size_t chunk = std::min<std::uint64_t>(left, passed_over.size());
@@ -162,6 +196,11 @@ void read_zlib(const std::filesystem::path& path, const ByteSource& source, std:
     }
     if (const std::size_t found = stream.read(to); found != to.size())
         throw_truncated(found, to.size(), path);
+    for (std::size_t passed = 0; passed <= to.size(); passed += passed_over.size())
+    {
+        if (stream.read(passed_over) < passed_over.size())
+            break; // the checksum has been looked at
+    }
 }
 
 bool is_gzip(const std::filesystem::path& path)
@@ -223,6 +262,8 @@ std::string read_head(const std::filesystem::path& path, std::size_t count)
     const Gzip file = open_gzip(path);
     std::string head(count, '\0');
     head.resize(read_up_to(file.get(), std::as_writable_bytes(std::span(head))));
+    if (head.size() < count && is_damaged(file.get()))
+        throw_damaged(path, "cannot be unpacked after " + std::to_string(head.size()) + " bytes");
     return head;
 }
 

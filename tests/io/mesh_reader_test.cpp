@@ -238,6 +238,15 @@ TEST(MeshReader, a_binary_stl_that_begins_with_solid_or_goes_on_behind_its_end_i
     EXPECT_TRUE(is_closed_manifold(read("a.stl", content + std::string(120, 'x'))));
 }
 
+TEST(MeshReader, a_text_stl_in_capitals_or_after_empty_lines_is_read)
+{
+    const std::string content = sample_file("a.stl", "stl-ascii");
+    ASSERT_EQ(content.substr(0, 5), "solid");
+    EXPECT_TRUE(is_closed_manifold(read("a.stl", "SOLID" + content.substr(5))));
+    EXPECT_TRUE(is_closed_manifold(read("a.stl", "  " + content)));
+    EXPECT_TRUE(is_closed_manifold(read("a.stl", "\r\n\n" + content)));
+}
+
 TEST(MeshReader, damaged_files_are_read_or_refused_in_silence)
 {
     Random random(3);

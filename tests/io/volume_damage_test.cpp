@@ -123,6 +123,22 @@ TEST(DamagedVolume, damaged_compression_is_refused)
     EXPECT_NE(refusal("v.nii.gz", scan), "");
 }
 
+TEST(DamagedVolume, content_that_does_not_agree_with_its_checksum_is_refused)
+{
+    std::string packed = zlib_of(bytes());
+    packed.back() = static_cast<char>(~packed.back());
+    expect_has(refusal("v.mha", meta_with("6 5 4", "CompressedData = True\n", packed)), "damaged");
+    std::string scan = gzip_of(nifti_of({}, bytes()));
+    char& in_checksum = scan[scan.size() - 6]; // its last four bytes are the length
+    in_checksum = static_cast<char>(~in_checksum);
+    expect_has(refusal("v.nii.gz", scan), "damaged");
+    scan = gzip_of(nifti_of({}, bytes()));
+    expect_has(refusal("v.nii.gz", shortened(scan, 1)), "damaged");
+    const TemporaryFolder folder;
+    scan = gzip_of(nifti_of({}, bytes()) + "what follows the samples is no damage");
+    EXPECT_NO_THROW(read_volume(folder.file("v.nii.gz", scan)));
+}
+
 TEST(DamagedVolume, sizes_beyond_memory_are_refused_before_anything_is_allocated)
 {
     const std::size_t before = peak_memory_bytes();

@@ -232,7 +232,7 @@ std::string dicom_of(const DicomSlice& slice, const std::vector<std::int16_t>& s
              short_element(0x28, 0x102, 15) + short_element(0x28, 0x103, 1);
     bytes += element(0x28, 0x1052, "DS", decimal(slice.intercept)) +
              element(0x28, 0x1053, "DS", decimal(slice.slope));
-    return bytes + element(0x7fe0, 0x10, "OW", to_bytes(samples, kLittle));
+    return bytes + slice.further + element(0x7fe0, 0x10, "OW", to_bytes(samples, kLittle));
 }
 
 } // namespace voroprobe

@@ -87,6 +87,7 @@ struct DicomSlice
     std::uint16_t rows = 5;
     double slope = 1.0;
     double intercept = 0.0;
+    std::string further{}; //!< elements before the pixels, as they stand in the file
 };
 std::string dicom_of(const DicomSlice& slice, const std::vector<std::int16_t>& samples);
 

@@ -179,6 +179,28 @@ TEST(DicomSeries, a_tilted_gantry_is_refused)
     expect_has(refusal_of_path(folder.path()), "shifted sideways");
 }
 
+// PS3.5 section 6.2.2: what is in it is encoded without types, whatever the rest of the file has.
+TEST(DicomSeries, a_sequence_of_unknown_type_and_undefined_length_is_passed_over)
+{
+    const std::string undefined(4, '\xff');
+    const std::string empty(4, '\0');
+    const std::string element_of_item = std::string("\x29\0\x01\x11\4\0\0\0", 8) + "abcd";
+    const std::string private_sequence = std::string("\x29\0\x01\x10UN\0\0", 8) + undefined + //
+                                         std::string("\xfe\xff\0\xe0", 4) + undefined +
+                                         element_of_item +                            // item
+                                         std::string("\xfe\xff\x0d\xe0", 4) + empty + // end of item
+                                         std::string("\xfe\xff\xdd\xe0", 4) + empty;  // end of sequence
+    const TemporaryFolder folder;
+    for (int i = 0; i < 3; ++i)
+        static_cast<void>(
+            folder.file(std::to_string(i) + ".dcm",
+                        dicom_of({.instance = i, .position = {0, 0, 2.0 * i}, .further = private_sequence},
+                                 dicom_samples(i))));
+    const ReadVolume read = read_volume(folder.path());
+    ASSERT_EQ(read.volume.geometry.size, (std::array<std::size_t, 3>{6, 5, 3}));
+    EXPECT_EQ(read.volume.at(0, 0, 2) - read.volume.at(0, 0, 1), 100.0);
+}
+
 TEST(DicomSeries, an_unreadable_slice_is_named)
 {
     const std::string whole = dicom_slice(1, 2.5);
