@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "support/check.h"
+#include "support/error.h"
+#include "support/number_text.h"
 #include "volume/cell_topology.h"
 
 namespace voroprobe
@@ -16,6 +18,9 @@ namespace
 
 //! Heights far inside and far outside, as smoothing gives them.
 constexpr float kFar = 0.5F;
+
+//! Samples are numbered by 32 bits.
+constexpr std::size_t kMostSamples = std::numeric_limits<std::uint32_t>::max();
 
 //! No sample near the surface is nearer to 0 than this: a feature that hangs on one sample is then about a
 //! third of a voxel wide, well above the floor of refinement.
@@ -163,6 +168,9 @@ PartField::PartField(PartMask mask, const Vec3& spacing, std::span<const float> 
       shifts_(mask_.part_count, 0.0), volumes_(mask_.part_count, 0.0)
 {
     CHECK(smoothed.size() == mask_.part.size());
+    if (mask_.part.size() > kMostSamples)
+        throw InputError("a label reaches over " + count_text(mask_.part.size()) + " samples, allowed are " +
+                         count_text(kMostSamples));
     for (std::size_t c = 0; c < corner_offset_.size(); ++c)
         corner_offset_[c] = (c & 1U) + mask_.size[0] * ((c >> 1U & 1U) + mask_.size[1] * (c >> 2U & 1U));
     heights_.resize(mask_.part.size());

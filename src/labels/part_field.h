@@ -32,7 +32,7 @@ class PartField
 {
 public:
     //! `smoothed`: heights of the samples of the mask, between -0.5 and 0.5. `spacing`: scan units. Cost: one
-    //! pass over the samples.
+    //! pass over the samples. \throw InputError where there are 2^32 of them or more.
     PartField(PartMask mask, const Vec3& spacing, std::span<const float> smoothed);
 
     [[nodiscard]] std::size_t part_count() const { return mask_.part_count; }

@@ -7,11 +7,16 @@
 
 #include "support/check.h"
 #include "support/error.h"
+#include "support/number_text.h"
 
 namespace voroprobe
 {
 namespace
 {
+
+//! Largest difference of a sample from the isovalue: products of several differences stay finite, and so do
+//! those of 32-bit floats.
+constexpr double kFarthest = 1e60;
 
 void check_volume(const std::shared_ptr<const Volume>& volume, double isovalue)
 {
@@ -86,6 +91,10 @@ LevelledVolume level_volume(std::shared_ptr<const Volume> volume, double isovalu
             LevelSurvey survey(isovalue, inside);
             for (const Sample sample : samples)
                 survey.include(static_cast<double>(sample));
+            if (survey.farthest() > kFarthest)
+                throw InputError("samples differ from the isovalue by up to " +
+                                 number_text(survey.farthest()) + ", allowed is " + number_text(kFarthest) +
+                                 ": samples without a value are better NaN");
             if (survey.not_finite() > 0)
                 volume = with_finite_samples<Sample>(*volume, survey.outside());
             return {volume, survey.level()};

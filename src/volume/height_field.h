@@ -35,7 +35,8 @@ struct LevelledVolume
 
 //! Samples equal to the isovalue are moved inside (see LevelSurvey); samples that are not finite count as
 //! outside: the volume is then copied. Cost: one pass. \throw UsageError where there is no volume, fewer than
-//! 2 samples along an axis, or the isovalue is not finite.
+//! 2 samples along an axis, or the isovalue is not finite; InputError where a sample differs from it by more
+//! than 1e60.
 LevelledVolume level_volume(std::shared_ptr<const Volume> volume, double isovalue,
                             InsideIs inside = InsideIs::kAbove);
 

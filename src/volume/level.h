@@ -44,6 +44,7 @@ public:
         const double height = sign_ * (sample - isovalue_);
         tie_ = tie_ || height == 0.0;
         lowest_ = std::min(lowest_, height);
+        farthest_ = std::max(farthest_, std::abs(height));
         if (height != 0.0)
             smallest_ = std::min(smallest_, std::abs(height));
     }
@@ -64,6 +65,9 @@ public:
 
     [[nodiscard]] std::size_t not_finite() const { return not_finite_; }
 
+    //! The largest difference of a sample from the isovalue.
+    [[nodiscard]] double farthest() const { return farthest_; }
+
 private:
     //! Small enough not to be seen (the surface moves by at most this fraction of a grid edge), large enough
     //! that what hangs on ties alone, such as a speck of one sample that equals the isovalue, can be meshed
@@ -78,6 +82,7 @@ private:
     double sign_;
     bool tie_ = false;
     double lowest_ = 0.0;
+    double farthest_ = 0.0;
     double smallest_ = std::numeric_limits<double>::infinity(); //!< distance from the isovalue that is not 0
     std::size_t not_finite_ = 0;
 };

@@ -29,6 +29,17 @@ std::vector<double> slice(const HeightField& field, std::size_t k)
     return heights;
 }
 
+TEST(HeightField, samples_beyond_all_measure_are_refused)
+{
+    const double most = std::numeric_limits<double>::max();
+    for (const double extreme : {most, -most, 1e61})
+        EXPECT_THROW(level_volume(volume_of(std::vector<double>{0, 1, 2, 3, 4, 5, 6, extreme}), 2.5),
+                     InputError);
+    const float most_of_float = std::numeric_limits<float>::max();
+    EXPECT_NO_THROW(
+        level_volume(volume_of(std::vector<float>{0, 1, 2, 3, 4, 5, most_of_float, -most_of_float}), 2.5));
+}
+
 TEST(HeightField, is_the_difference_from_the_isovalue_in_every_sample_type)
 {
     for (const SampleArray& samples : {SampleArray(std::vector<std::uint8_t>{0, 1, 2, 3, 4, 5, 6, 7}),
