@@ -101,4 +101,7 @@ struct MeshingOptions
     std::optional<double> max_seconds = std::nullopt;
 };
 
+//! \throw UsageError that names the first option out of its range, its value, and the range.
+void check_options(const MeshingOptions& options);
+
 } // namespace voroprobe

@@ -61,7 +61,7 @@ void RestrictedDelaunay::insert_sentinels()
         DelaunayCellData& data =
             delaunay_cell->info(); // without facets: their dual edges lie beyond the domain
         data.circumcenter = circumcenter(corner_positions(delaunay_cell));
-        data.region = oracle_.region(data.circumcenter);
+        // Its region stays the outer one wherever that is: without a vertex there is no mesh.
     }
 }
 
