@@ -148,6 +148,9 @@ TriangleMesh read_with(Reader& reader, const std::filesystem::path& path)
     return mesh_of(*data);
 }
 
+//! Of a binary STL file, the number of its faces included.
+constexpr std::uintmax_t kStlHeaderBytes = 84;
+
 //! Blanks, empty lines and capitals before and in the first word are met with, and read by VTK.
 bool begins_like_text(std::string_view header)
 {
@@ -163,15 +166,14 @@ bool begins_like_text(std::string_view header)
 //! some binary files that do too, is not exactly as long as the number there would make it.
 std::optional<std::uint32_t> announced_faces(const std::filesystem::path& path)
 {
-    constexpr std::uintmax_t kHeaderBytes = 84;
     constexpr std::uintmax_t kFaceBytes = 50;
-    std::array<unsigned char, kHeaderBytes> header{};
+    std::array<unsigned char, kStlHeaderBytes> header{};
     std::ifstream in(path, std::ios::binary);
     in.read(reinterpret_cast<char*>(header.data()), std::ssize(header));
     const std::uint32_t count = header[80] | header[81] << 8U | header[82] << 16U |
                                 static_cast<std::uint32_t>(header[83]) << 24U; // little endian
     const bool may_be_text = begins_like_text({reinterpret_cast<const char*>(header.data()), header.size()});
-    const bool has_that_length = std::filesystem::file_size(path) == kHeaderBytes + kFaceBytes * count;
+    const bool has_that_length = std::filesystem::file_size(path) == kStlHeaderBytes + kFaceBytes * count;
     return may_be_text && !has_that_length ? std::nullopt : std::optional(count);
 }
 
@@ -208,18 +210,21 @@ void write_vtp(const TriangleMesh& mesh, const std::vector<Vec3>& normals, std::
 
 TriangleMesh read_stl(const std::filesystem::path& path)
 {
+    const std::optional<std::uint32_t> announced = announced_faces(path);
+    if (announced == 0U && std::filesystem::file_size(path) >= kStlHeaderBytes)
+        fail_reading(path, "it holds no faces");
     const vtkNew<vtkSTLReader> reader;
     reader->MergingOff(); // VTK would drop the faces that collapse
     TriangleMesh mesh = read_with(*reader, path);
 
     // VTK takes whatever faces there are, including bytes behind the last one announced.
-    if (const auto count = announced_faces(path))
+    if (announced)
     {
-        if (mesh.faces.size() < *count)
+        if (mesh.faces.size() < *announced)
             fail_reading(path, "it is shorter than its header says: " + std::to_string(mesh.faces.size()) +
-                                   " of " + std::to_string(*count) + " faces");
-        mesh.faces.resize(*count);
-        mesh.vertices.resize(3 * std::size_t{*count});
+                                   " of " + std::to_string(*announced) + " faces");
+        mesh.faces.resize(*announced);
+        mesh.vertices.resize(3 * std::size_t{*announced});
     }
     return mesh;
 }

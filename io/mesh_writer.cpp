@@ -122,6 +122,8 @@ bool holds_normals(MeshFormat format)
 
 void check_writable(const fs::path& path)
 {
+    if (path == "-")
+        throw UsageError("'-' is no name of a file; allowed: a file, or /dev/stdout with --format");
     const AtomicFile trial(path); // leaves again without a trace
 }
 

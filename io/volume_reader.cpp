@@ -98,7 +98,10 @@ Reader choose_reader(const std::filesystem::path& path)
         throw InputError("no such file or folder");
     if (std::filesystem::is_directory(status))
         return folder_reader(path);
-    if (std::filesystem::is_regular_file(status) && std::filesystem::file_size(path) == 0)
+    if (!std::filesystem::is_regular_file(status))
+        throw InputError(
+            "is neither a file nor a folder: pipes cannot be read, for a scan is looked at in places");
+    if (std::filesystem::file_size(path) == 0)
         throw InputError("the file is empty");
     if (lower_case(path.extension().string()) == ".vdb")
         throw InputError("is a sparse OpenVDB grid, expected a dense volume: " + std::string(kKnownFormats));

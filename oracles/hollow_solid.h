@@ -29,9 +29,9 @@ struct HollowSolid
 };
 
 //! By level sets on voxels: what is finer than a voxel goes, and the wall is as thick as asked for to about
-//! half a voxel. \pre the mesh is closed, manifold and oriented. Memory: some 10 bytes per voxel within the
-//! wall of the surface. \throw UsageError where an option is out of its range or the body too thin to hollow
-//! out.
+//! half a voxel. \pre the mesh is closed, manifold and oriented. Memory: some 20 bytes per voxel within the
+//! wall of the surface. \throw UsageError where an option is out of its range, this machine has less memory
+//! than that, or the body is too thin to hollow out.
 HollowSolid hollow_out(const TriangleMesh& mesh, const HollowOptions& options);
 
 } // namespace voroprobe

@@ -218,6 +218,7 @@ void mesh_labels(const LabelSurvey& survey, std::span<const std::uint32_t> label
                  const LabelMeshingOptions& options, std::size_t threads, ProgressSink* progress,
                  const std::function<void(LabelMesh)>& done)
 {
+    check_smoothing(options.smoothing, spacing);
     const std::size_t count =
         threads > 0 ? threads : static_cast<std::size_t>(tbb::info::default_concurrency());
     // More threads than cores are had for the asking only.

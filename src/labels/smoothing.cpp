@@ -6,6 +6,9 @@
 #include <itkDiscreteGaussianImageFilter.h>
 #include <itkImage.h>
 
+#include "support/error.h"
+#include "support/number_text.h"
+
 namespace voroprobe
 {
 namespace
@@ -79,6 +82,17 @@ std::vector<float> antialiased(const PartMask& mask, const Vec3& spacing)
 }
 
 } // namespace
+
+void check_smoothing(const LabelSmoothing& smoothing, const Vec3& spacing)
+{
+    if (smoothing.method != SmoothingMethod::kGaussian)
+        return;
+    const double most = kMostVoxelsOfSigma * std::min({spacing.x, spacing.y, spacing.z});
+    if (!(smoothing.sigma > 0.0 && smoothing.sigma <= most))
+        throw UsageError("the standard deviation of --smooth gaussian is " + number_text(smoothing.sigma) +
+                         " mm; allowed: above 0, at most " + number_text(most) + " mm, which are " +
+                         number_text(kMostVoxelsOfSigma) + " voxels");
+}
 
 std::vector<float> smoothed_heights(const PartMask& mask, const Vec3& spacing,
                                     const LabelSmoothing& smoothing)

@@ -23,6 +23,11 @@ struct LabelSmoothing
     double sigma = 0.0; //!< kGaussian: standard deviation, scan units, > 0
 };
 
+//! \throw UsageError where sigma is not above 0 or spans more than kMostVoxelsOfSigma voxels: of a shape
+//! blurred so far nothing is left.
+void check_smoothing(const LabelSmoothing& smoothing, const Vec3& spacing);
+inline constexpr double kMostVoxelsOfSigma = 16.0;
+
 //! Heights of the samples of a mask, between -0.5 and 0.5, positive where the smoothed object is. They may
 //! leave out thin parts; PartField puts those back.
 //!

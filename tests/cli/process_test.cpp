@@ -129,6 +129,20 @@ TEST_F(ProcessTest, a_hollow_has_the_wall_asked_for_and_a_way_out)
     EXPECT_EQ(program::run({"check", folder_ / "open.stl", "--printable", "--min-wall", "2.5"}).status, 5);
 }
 
+TEST_F(ProcessTest, hollows_that_no_memory_holds_are_refused_before_the_work)
+{
+    for (const std::vector<std::string>& options :
+         {std::vector<std::string>{"--hollow", "0.0001"}, {"--hollow", "1", "--voxel", "0.00001"}})
+    {
+        const program::Outcome outcome = process("no.stl", options);
+        EXPECT_EQ(outcome.status, 2) << outcome.err;
+        EXPECT_NE(outcome.err.find("this machine has"), std::string::npos) << outcome.err;
+    }
+    const program::Outcome outcome = process("no.stl", {"--hollow", "2", "--drain", "1000"});
+    EXPECT_EQ(outcome.status, 2) << outcome.err;
+    EXPECT_NE(outcome.err.find("allowed: less than the mesh"), std::string::npos) << outcome.err;
+}
+
 TEST_F(ProcessTest, hollowing_leaves_out_specks_below_its_grain_and_says_so)
 {
     Phantom phantom;

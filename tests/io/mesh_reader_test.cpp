@@ -238,6 +238,11 @@ TEST(MeshReader, a_binary_stl_that_begins_with_solid_or_goes_on_behind_its_end_i
     EXPECT_TRUE(is_closed_manifold(read("a.stl", content + std::string(120, 'x'))));
 }
 
+TEST(MeshReader, a_binary_stl_of_no_faces_is_told_so)
+{
+    EXPECT_TRUE(contains(refusal("a.stl", std::string(84, '\0')), "it holds no faces"));
+}
+
 TEST(MeshReader, a_text_stl_in_capitals_or_after_empty_lines_is_read)
 {
     const std::string content = sample_file("a.stl", "stl-ascii");

@@ -65,6 +65,17 @@ LabelMesh mesh_only(const LabelSurvey& survey, const LabelSmoothing& smoothing)
     return mesh_all(survey, options_with(smoothing)).at(0);
 }
 
+TEST(LabelMeshing, a_blur_that_leaves_nothing_of_any_shape_is_refused)
+{
+    const LabelSurvey survey =
+        survey_of({5, 5, 5}, [](auto i, auto j, auto k) { return i == 2 && j == 2 && k == 2; });
+    for (const double sigma : {0.0, -1.0, 16.1, 50.0})
+        EXPECT_THROW(mesh_all(survey, options_with({.method = SmoothingMethod::kGaussian, .sigma = sigma})),
+                     UsageError);
+    const auto meshes = mesh_all(survey, options_with({.method = SmoothingMethod::kGaussian, .sigma = 16.0}));
+    EXPECT_TRUE(meshes.at(0).complete());
+}
+
 TEST(LabelMeshing, one_voxel_is_one_closed_piece_of_its_volume)
 {
     const LabelSurvey survey =
