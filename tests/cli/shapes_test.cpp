@@ -80,6 +80,7 @@ TEST_F(ShapesTest, formulas_that_make_no_sense_are_refused_with_the_place)
     expect_refusal(formula("x^2+y^2+q", "ball:0,0,0,1"), 2, "character 9");
     expect_refusal(formula("sqrt(x)", "ball:0,0,0,1"), 2, "not a number at (-");
     expect_refusal(formula("x^2+100", "ball:0,0,0,1"), 4, "no probe met a surface");
+    expect_refusal(formula("x^2+y^2+z^2-1e-6", "ball:0,0,0,1"), 4, "no probe met a surface");
 }
 
 TEST_F(ShapesTest, domains_that_make_no_sense_are_refused)

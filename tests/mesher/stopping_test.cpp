@@ -116,6 +116,14 @@ TEST(Stopping, no_surface_gives_an_empty_mesh)
     EXPECT_TRUE(result.mesh.faces.empty());
 }
 
+// The middle of the domain is the circumcenter of the sentinels.
+TEST(Stopping, a_speck_in_the_middle_that_no_probe_meets_gives_an_empty_mesh)
+{
+    const ImplicitOracle speck([](const Point3& p) { return 0.001 - norm(p); }, {{-1, -1, -1}, {1, 1, 1}},
+                               1.0, 1e-3);
+    EXPECT_TRUE(mesh_surface(speck, kOptions).mesh.faces.empty());
+}
+
 TEST(Options, outside_their_range_are_refused_by_name)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();
