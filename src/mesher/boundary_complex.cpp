@@ -45,12 +45,14 @@ struct FoundFaces
 {
     std::vector<BoundaryFace> faces;
     std::vector<std::array<std::uint32_t, 3>> corners;
-    std::vector<std::uint32_t> pinched;
+    std::vector<std::uint32_t> pinched; //!< in their order
 };
 
 FoundFaces find_faces(const CellTable& table, const VertexTable& vertices)
 {
     FoundFaces found;
+    found.faces.reserve(2 * vertices.handle.size()); // of closed surfaces with few handles
+    found.corners.reserve(2 * vertices.handle.size());
     for (CellTable::Number c = 0; c < table.size(); ++c)
     {
         if (!is_inside(table.region(c))) // infinite cells are outside
@@ -151,18 +153,27 @@ std::vector<std::uint32_t> pair_half_edges(const RestrictedDelaunay& restricted,
     return partners;
 }
 
-//! Corners joined across paired edges.
+//! Corner k of face f, 3 f + k, counted among those of the faces with a pinched one.
+std::uint32_t among_pinched(const FoundFaces& found, std::uint32_t corner)
+{
+    const auto face = std::lower_bound(found.pinched.begin(), found.pinched.end(), corner / 3);
+    return static_cast<std::uint32_t>(3 * (face - found.pinched.begin())) + corner % 3;
+}
+
+//! Corners of the faces with a pinched one, joined across paired edges.
 UnionFind join_corners(const FoundFaces& found, const std::vector<std::uint32_t>& partners)
 {
-    UnionFind corners(3 * found.faces.size());
+    UnionFind corners(3 * found.pinched.size());
+    const auto unite = [&](std::uint32_t a, std::uint32_t b)
+    { corners.unite(among_pinched(found, a), among_pinched(found, b)); };
     for (const std::uint32_t f : found.pinched)
     {
         for (std::uint32_t half_edge = 3 * f; half_edge < 3 * f + 3; ++half_edge)
         {
             if (partners[half_edge] == kUnnumbered)
                 continue;
-            corners.unite(next_in_face(half_edge), partners[half_edge]);
-            corners.unite(half_edge, next_in_face(partners[half_edge]));
+            unite(next_in_face(half_edge), partners[half_edge]);
+            unite(half_edge, next_in_face(partners[half_edge]));
         }
     }
     return corners;
@@ -201,7 +212,7 @@ BoundaryComplex collect_boundary(const RestrictedDelaunay& restricted, const Cel
 
     // One mesh vertex for each vertex with one umbrella, and for each set of corners at a pinched one.
     std::vector<std::uint32_t> number_of_vertex(vertices.handle.size(), kUnnumbered);
-    std::vector<std::uint32_t> number_of_corners(3 * found.faces.size(), kUnnumbered);
+    std::vector<std::uint32_t> number_of_corners(3 * found.pinched.size(), kUnnumbered);
     complex.mesh.faces.reserve(found.faces.size());
     complex.origin_of_face.reserve(found.faces.size());
     for (std::uint32_t f = 0; f < found.faces.size(); ++f)
@@ -210,8 +221,9 @@ BoundaryComplex collect_boundary(const RestrictedDelaunay& restricted, const Cel
         for (std::uint32_t k = 0; k < 3; ++k)
         {
             const std::uint32_t vertex = found.corners[f][k];
-            std::uint32_t& number = vertices.pinched[vertex] != 0 ? number_of_corners[corners.find(3 * f + k)]
-                                                                  : number_of_vertex[vertex];
+            std::uint32_t& number = vertices.pinched[vertex] != 0
+                                        ? number_of_corners[corners.find(among_pinched(found, 3 * f + k))]
+                                        : number_of_vertex[vertex];
             if (number == kUnnumbered)
             {
                 number = static_cast<std::uint32_t>(complex.mesh.vertices.size());

@@ -17,6 +17,9 @@ constexpr std::size_t kPrefetchDistance = 16;
 // That one thread takes in in a row.
 constexpr std::size_t kCellsAtOnce = 4096;
 
+// Room for so small a share of more cells.
+constexpr std::size_t kRoomShare = 16;
+
 std::array<std::uint32_t, 4> corner_indices(DelaunayCell delaunay_cell)
 {
     return {delaunay_cell->vertex(0)->info().index, delaunay_cell->vertex(1)->info().index,
@@ -31,9 +34,7 @@ CellTable::CellTable(const Triangulation& triangulation, const Workers& workers)
     : triangulation_(&triangulation), vertices_seen_(triangulation.number_of_vertices())
 {
     const std::size_t count = triangulation.tds().cells().size();
-    cells_.reserve(count);
-    is_infinite_.reserve(count);
-    regions_.reserve(count);
+    make_room_for(count);
     for (const DelaunayCell delaunay_cell : triangulation.all_cell_handles())
     {
         delaunay_cell->info().scratch = size();
@@ -86,6 +87,7 @@ std::optional<std::vector<CellTable::Number>> CellTable::update()
     std::erase_if(changes_, [&](const Change& change) { return cells_[change.cell] == DelaunayCell(); });
     for (const auto& [c, former] : changes_)
         cells_[c]->info().region = regions_[c];
+    make_room_for(cells_.size() + made.size() - numbers.size());
     while (numbers.size() < made.size())
     {
         numbers.push_back(size());
@@ -108,6 +110,19 @@ std::optional<std::vector<CellTable::Number>> CellTable::update()
         }
     }
     return numbers;
+}
+
+//! Vectors that grow by themselves double: the table is large, and what insertions add to it is little.
+void CellTable::make_room_for(std::size_t count)
+{
+    if (count <= cells_.capacity())
+        return;
+    const std::size_t room = count + count / kRoomShare;
+    cells_.reserve(room);
+    neighbors_.reserve(room);
+    corners_.reserve(room);
+    is_infinite_.reserve(room);
+    regions_.reserve(room);
 }
 
 void CellTable::put(Number c, DelaunayCell delaunay_cell)

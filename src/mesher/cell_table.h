@@ -62,6 +62,7 @@ private:
     [[nodiscard]] bool is_current(Number c) const;
     std::vector<DelaunayCell> take_new_cells();
     std::vector<Number> forget_gone_cells(const std::vector<DelaunayCell>& made);
+    void make_room_for(std::size_t count);
     void put(Number c, DelaunayCell delaunay_cell);
 
     const Triangulation* triangulation_;
