@@ -100,6 +100,29 @@ TEST_F(ProcessTest, bodies_are_split_into_files_and_objects)
     EXPECT_NEAR(enclosed_volume(parts[0].mesh), first, 1e-3 * first);
 }
 
+TEST_F(ProcessTest, no_file_of_a_pattern_overwrites_the_mesh_or_the_summary)
+{
+    for (const std::string number : {"1", "2"})
+    {
+        const std::string input = folder_ / ("body" + number + ".ply");
+        fs::copy_file(mesh(), input);
+        const std::string before = program::read_text(input);
+        const program::Outcome outcome =
+            program::run({"process", input, "-o", folder_ / "body{n}.ply", "--split"});
+        EXPECT_EQ(outcome.status, 2) << outcome.err;
+        EXPECT_NE(outcome.err.find("OUT for body " + number), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find("and MESH are both " + input), std::string::npos) << outcome.err;
+        EXPECT_EQ(program::read_text(input), before);
+        fs::remove(input);
+    }
+    EXPECT_EQ(process("summary{n}.json", {"--split", "--format", "ply"}).status, 0); // no such number
+    const program::Outcome outcome = program::run(
+        {"process", mesh(), "-o", folder_ / "body{n}.ply", "--split", "--summary", folder_ / "body2.ply"});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.err.find("--summary and OUT for body 2"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(folder_ / "body1.ply"));
+}
+
 TEST_F(ProcessTest, a_mesh_is_moved_as_it_is_told)
 {
     const Box3 before = bounding_box(read_mesh(mesh()));
