@@ -9,6 +9,7 @@
 
 #include "io/mesh_file.h"
 #include "support/error.h"
+#include "support/text.h"
 
 namespace voroprobe
 {
@@ -16,13 +17,6 @@ namespace
 {
 
 constexpr std::string_view kBlanks = " \t\r";
-
-std::string_view trimmed(std::string_view text)
-{
-    const std::size_t first = text.find_first_not_of(kBlanks);
-    return first == std::string_view::npos ? std::string_view()
-                                           : text.substr(first, text.find_last_not_of(kBlanks) + 1 - first);
-}
 
 std::vector<std::string_view> words_of(std::string_view text)
 {

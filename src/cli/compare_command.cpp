@@ -13,6 +13,7 @@
 #include "compare/virtual_display.h"
 #include "io/mesh_writer.h"
 #include "support/error.h"
+#include "support/text.h"
 
 namespace voroprobe
 {
@@ -25,9 +26,7 @@ namespace fs = std::filesystem;
 //! Names of files in a folder that are scans by themselves.
 bool is_volume_name(const fs::path& path)
 {
-    std::string name = path.filename().string();
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string name = lower_case(path.filename().string());
     const auto ends = {".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd", ".inr", ".inr.gz", ".vti"};
     return std::any_of(ends.begin(), ends.end(), [&](const char* end) { return name.ends_with(end); });
 }
