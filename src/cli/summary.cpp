@@ -1,6 +1,6 @@
 #include "cli/summary.h"
 
-#include <fstream>
+#include <ostream>
 #include <string_view>
 
 #include <nlohmann/json.hpp>
@@ -8,7 +8,6 @@
 #include "cli/certificate_report.h"
 #include "cli/process_summary.h"
 #include "io/atomic_file.h"
-#include "support/error.h"
 #include "support/memory.h"
 
 namespace voroprobe
@@ -220,13 +219,7 @@ std::string summary_json(const MeshRun& run)
 
 void write_text(const std::filesystem::path& path, const std::string& text)
 {
-    AtomicFile target(path);
-    std::ofstream file(target.temporary(), std::ios::binary);
-    file << text;
-    file.close();
-    if (!file)
-        throw OutputError("cannot write '" + path.string() + "': disk full or not writable");
-    target.commit();
+    write_atomically(path, {}, [&](std::ostream& out) { out << text; });
 }
 
 } // namespace voroprobe
