@@ -10,6 +10,7 @@
 #include "io/mesh_file.h"
 #include "support/error.h"
 #include "support/text.h"
+#include "support/utf8.h"
 
 namespace voroprobe
 {
@@ -108,7 +109,7 @@ std::vector<LabelEntry> read_label_table(const std::filesystem::path& path)
     std::error_code unknown; // then it is no file
     if (!std::filesystem::is_regular_file(path, unknown))
         fail_reading(path, "there is no such file");
-    std::istringstream lines(read_whole_file(path));
+    std::istringstream lines(as_utf8(read_whole_file(path)));
     std::vector<LabelEntry> entries;
     std::map<std::int64_t, std::string> name_of;
     std::size_t number = 0;

@@ -11,6 +11,7 @@
 #include "io/volume_bytes.h"
 #include "support/error.h"
 #include "support/text.h"
+#include "support/utf8.h"
 
 namespace voroprobe
 {
@@ -71,7 +72,7 @@ std::vector<Segment> read_segments(const std::filesystem::path& path)
                          [&](const std::string& line) { return line.starts_with(key); }))
             return segments;
         Segment segment{.entry = {.value = number_or<std::int64_t>(lines, key + "LabelValue", 1, path),
-                                  .name = std::string(trimmed(nrrd_field(lines, key + "Name"))),
+                                  .name = as_utf8(std::string(trimmed(nrrd_field(lines, key + "Name")))),
                                   .color = color_of(nrrd_field(lines, key + "Color"))}};
         segment.layer = number_or<std::size_t>(lines, key + "Layer", static_cast<std::size_t>(n), path);
         segments.push_back(std::move(segment));

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/json_values.h"
 #include "cli/number_text.h"
 
 namespace voroprobe
@@ -11,11 +12,6 @@ namespace
 {
 
 using Json = nlohmann::ordered_json;
-
-Json json_of(const Vec3& v)
-{
-    return Json::array({v.x, v.y, v.z});
-}
 
 Json json_of(const StepFacts& facts)
 {
@@ -31,7 +27,7 @@ Json json_of(const StepFacts& facts)
             {"mean_min_angle_deg", facts.angles.mean_min_deg},
             {"area_mm2", facts.area_mm2},
             {"volume_mm3", facts.volume_mm3},
-            {"box", {{"min", json_of(facts.box.min)}, {"max", json_of(facts.box.max)}}}};
+            {"box", json_of(facts.box)}};
 }
 
 Json json_of(const StepReport& step)
@@ -45,7 +41,7 @@ Json json_of(const StepReport& step)
         result["distance"] = {{"max_mm", step.deviation->max},
                               {"max_at", json_of(step.deviation->max_at)},
                               {"mean_mm", step.deviation->mean},
-                              {"allowed_mm", step.max_distance ? Json(*step.max_distance) : Json(nullptr)}};
+                              {"allowed_mm", value_or_null(step.max_distance)}};
     result["seconds"] = step.seconds;
     return result;
 }
@@ -80,17 +76,12 @@ std::string process_json(const ProcessRun& run)
     Json written = Json::array();
     for (const auto& path : run.written)
         written.push_back(path.string());
-    const Json result{{"version", VOROPROBE_VERSION},
-                      {"status", run.wrong ? "incomplete" : "done"},
-                      {"reason", run.wrong ? Json(*run.wrong) : Json(nullptr)},
-                      {"input", run.arguments.mesh.string()},
-                      {"objects_read", run.objects_read},
-                      {"objects_written", run.objects_written},
-                      {"before", json_of(run.before)},
-                      {"steps", steps_json(run.steps)},
-                      {"after", json_of(run.after)},
-                      {"written", std::move(written)}};
-    return result.dump(2) + '\n';
+    const Json result{{"version", VOROPROBE_VERSION},       {"status", run.wrong ? "incomplete" : "done"},
+                      {"reason", value_or_null(run.wrong)}, {"input", run.arguments.mesh.string()},
+                      {"objects_read", run.objects_read},   {"objects_written", run.objects_written},
+                      {"before", json_of(run.before)},      {"steps", steps_json(run.steps)},
+                      {"after", json_of(run.after)},        {"written", std::move(written)}};
+    return json_text(result) + '\n';
 }
 
 } // namespace voroprobe

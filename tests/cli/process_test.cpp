@@ -100,6 +100,30 @@ TEST_F(ProcessTest, bodies_are_split_into_files_and_objects)
     EXPECT_NEAR(enclosed_volume(parts[0].mesh), first, 1e-3 * first);
 }
 
+TEST_F(ProcessTest, file_names_that_are_no_utf8_do_not_break_the_json_of_any_command)
+{
+    const std::string latin = "c\xF4te";
+    const std::string json = folder_ / "told.json";
+    fs::copy_file(folder_ / "scan.mha", folder_ / (latin + ".mha"));
+    const std::string scan = folder_ / (latin + ".mha");
+    const std::string made = folder_ / (latin + ".ply");
+    const std::vector<std::vector<std::string>> commands{
+        {"mesh", scan, "-o", made, "--isovalue", "0", "--summary", json},
+        {"check", made, "--json", json},
+        {"process", made, "-o", folder_ / (latin + ".obj"), "--center", "--summary", json}};
+    for (const auto& command : commands)
+    {
+        const program::Outcome outcome = program::run(command);
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        EXPECT_NE(nlohmann::json::parse(program::read_text(json)).dump().find("c\xEF\xBF\xBDte"),
+                  std::string::npos)
+            << command[0];
+    }
+    const program::Outcome told = program::run({"info", scan, "--json"});
+    EXPECT_EQ(told.status, 0) << told.err;
+    EXPECT_TRUE(nlohmann::json::accept(told.out));
+}
+
 TEST_F(ProcessTest, no_file_of_a_pattern_overwrites_the_mesh_or_the_summary)
 {
     for (const std::string number : {"1", "2"})
