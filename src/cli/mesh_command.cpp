@@ -174,14 +174,6 @@ std::size_t count_on_border(const TriangleMesh& mesh, const ImplicitDomain& doma
                                                   { return domain.distance_beyond(p) >= -rounding; }));
 }
 
-//! From here on a signal comes too late. To be called before the output takes its place.
-void pass_point_of_no_return()
-{
-    set_on_interrupt(OnInterrupt::kFinish);
-    if (interrupt_requested())
-        throw Error(ExitStatus::kInterrupted, "interrupted; nothing was written");
-}
-
 void check_and_write(TriangleMesh& mesh, MeshFormat format, MeshRun& run, ProgressSink& progress)
 {
     const Stopwatch clock;

@@ -97,25 +97,21 @@ std::vector<std::string> comments()
     return {std::string("voroprobe ") + VOROPROBE_VERSION, "unit: mm"};
 }
 
-//! From here on a signal comes too late.
-void pass_point_of_no_return()
-{
-    set_on_interrupt(OnInterrupt::kFinish);
-    if (interrupt_requested())
-        throw Error(ExitStatus::kInterrupted, "interrupted; nothing was written");
-}
-
 std::vector<fs::path> write(const std::vector<MeshPart>& parts, const ProcessArguments& arguments,
                             MeshFormat format)
 {
     std::vector<fs::path> written;
     if (writes_many(arguments))
+    {
+        expect_files(parts.size());
         for (std::size_t i = 0; i < parts.size(); ++i)
         {
             written.push_back(numbered(arguments.output, i + 1));
             write_mesh(parts[i].mesh, written.back(), format, comments(), pass_point_of_no_return,
                        normals_argument(arguments.normals, format));
+            note_file_written();
         }
+    }
     else if (format == MeshFormat::k3mf)
         write_parts(parts, arguments.output, comments(), pass_point_of_no_return);
     else
