@@ -68,7 +68,7 @@ std::string pieces_text(const std::vector<MeshPiece>& pieces)
 
 std::string crossings_text(const MeshCheck& check)
 {
-    const std::size_t crossing = check.self_intersections.size() - check.flat_faces;
+    const std::size_t crossing = check.self_intersections.size();
     return (crossing == 0 ? "no two faces cross or overlap"
                           : count_text(crossing) + " pairs of faces cross or overlap") +
            "; " + count_text(check.flat_faces) + " faces without area, " + count_text(check.duplicate_faces) +
@@ -244,6 +244,9 @@ std::optional<std::string> wrong_with_mesh(const CheckRun& run)
     if (!run.scan)
         return defects(run.check);
     auto reason = broken_promise(run.scan->certificate);
+    if (const std::size_t flat = run.check.flat_faces; flat > 0) // of which the certificate knows nothing
+        reason = (reason ? *reason + ", " : "") + count_text(flat) +
+                 (flat == 1 ? " face without area" : " faces without area");
     if (reason && lies_nowhere_near(run.scan->certificate, run.check))
         *reason +=
             "; no vertex lies near the surface: is it a mesh of this scan at this isovalue, in the frame " +

@@ -149,7 +149,7 @@ void run_process_command(const ProcessArguments& arguments)
 {
     const MeshFormat format = check_outputs(arguments);
     std::vector<MeshPart> parts = read_parts(arguments.mesh);
-    ProcessRun run{.arguments = arguments, .objects_read = parts.size(), .before = facts_of(merged(parts))};
+    ProcessRun run{.arguments = arguments, .objects_read = parts.size(), .before = facts_of(parts)};
     parts = mend(std::move(parts), arguments, run.steps);
     check_files(arguments, parts.size());
     for (MeshPart& part : parts)
@@ -160,7 +160,7 @@ void run_process_command(const ProcessArguments& arguments)
             hollow(std::move(part.mesh), arguments.hollow, parts.size() > 1 ? part.name : "", run.steps);
     place(parts, arguments.finish.placement);
     run.objects_written = parts.size();
-    run.after = facts_of(merged(parts));
+    run.after = facts_of(parts);
     run.wrong = what_is_wrong(parts);
     run.written = write(parts, arguments, format);
 

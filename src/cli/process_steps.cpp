@@ -6,6 +6,7 @@
 
 #include "certificate/certificate.h"
 #include "certificate/mesh_samples.h"
+#include "certificate/object_overlaps.h"
 #include "certificate/self_intersections.h"
 #include "certificate/surface_selection.h"
 #include "cli/info_text.h"
@@ -71,6 +72,10 @@ void check_step(const StepReport& step)
                  plural(step.after.self_intersections - step.before.self_intersections, "more pair",
                         "more pairs") +
                  " of faces cross";
+    if (broken.empty() && step.after.flat_faces > step.before.flat_faces)
+        broken = "leave " +
+                 plural(step.after.flat_faces - step.before.flat_faces, "more face", "more faces") +
+                 " without area";
     if (broken.empty() && step.max_distance && step.deviation && step.deviation->max > *step.max_distance)
         broken = "move the surface by " + number_text(step.deviation->max) + " mm near (" +
                  triple_text(step.deviation->max_at, ", ") +
@@ -83,6 +88,26 @@ void check_step(const StepReport& step)
         throw Error(ExitStatus::kIncomplete, "step '" + step.name + "'" +
                                                  (step.part.empty() ? "" : " on object '" + step.part + "'") +
                                                  " would " + broken + "; nothing was written");
+}
+
+//! `pairs`: what self_intersections() found of one object.
+StepFacts facts_of(const TriangleMesh& mesh, std::vector<FacePair> pairs)
+{
+    const std::size_t flat_faces = take_flat_faces(pairs);
+    return {.vertices = mesh.vertices.size(),
+            .faces = mesh.faces.size(),
+            .topology = analyze_topology(mesh),
+            .self_intersections = pairs.size(),
+            .flat_faces = flat_faces,
+            .angles = measure_angles(mesh),
+            .area_mm2 = area(mesh),
+            .volume_mm3 = enclosed_volume(mesh),
+            .box = bounding_box(mesh)};
+}
+
+StepFacts facts_of(const TriangleMesh& mesh)
+{
+    return facts_of(mesh, self_intersections(mesh));
 }
 
 //! Runs steps on one mesh and keeps their reports.
@@ -216,14 +241,13 @@ std::string change_text(double before, double after)
 
 std::string facts_text(const StepReport& step)
 {
-    std::string text = count_text(step.after.faces) + " faces, " +
-                       plural(step.after.topology.components, "piece", "pieces") + ", " +
-                       (step.after.topology.closed() ? "closed" : "open") + ", " +
-                       count_text(step.after.self_intersections) + " crossings, smallest angle " +
-                       number_text(step.after.angles.min_deg) + " deg (mean " +
-                       number_text(step.after.angles.mean_min_deg) + "), volume " +
-                       number_text(step.after.volume_mm3) + " mm3 (" +
-                       change_text(step.before.volume_mm3, step.after.volume_mm3) + ")";
+    std::string text =
+        count_text(step.after.faces) + " faces, " +
+        plural(step.after.topology.components, "piece", "pieces") + ", " +
+        (step.after.topology.closed() ? "closed" : "open") + ", " + crossings_text(step.after) +
+        ", smallest angle " + number_text(step.after.angles.min_deg) + " deg (mean " +
+        number_text(step.after.angles.mean_min_deg) + "), volume " + number_text(step.after.volume_mm3) +
+        " mm3 (" + change_text(step.before.volume_mm3, step.after.volume_mm3) + ")";
     if (step.deviation)
         text += ", moved at most " + number_text(step.deviation->max) + " mm, mean " +
                 number_text(step.deviation->mean);
@@ -337,16 +361,23 @@ AffineTransform placement_of(const PlacementArguments& arguments, const std::vec
 
 } // namespace
 
-StepFacts facts_of(const TriangleMesh& mesh)
+StepFacts facts_of(std::span<const MeshPart> objects)
 {
-    return {.vertices = mesh.vertices.size(),
-            .faces = mesh.faces.size(),
-            .topology = analyze_topology(mesh),
-            .self_intersections = self_intersections(mesh).size(),
-            .angles = measure_angles(mesh),
-            .area_mm2 = area(mesh),
-            .volume_mm3 = enclosed_volume(mesh),
-            .box = bounding_box(mesh)};
+    const TriangleMesh mesh = merged(objects);
+    std::vector<std::size_t> faces_in_objects;
+    for (const MeshPart& object : objects)
+        faces_in_objects.push_back(object.mesh.faces.size());
+    std::vector<FacePair> pairs = self_intersections(mesh);
+    take_object_overlaps(pairs, faces_in_objects);
+    return facts_of(mesh, std::move(pairs));
+}
+
+std::string crossings_text(const StepFacts& facts)
+{
+    std::string text = plural(facts.self_intersections, "crossing", "crossings");
+    if (facts.flat_faces > 0)
+        text += ", " + plural(facts.flat_faces, "face", "faces") + " without area";
+    return text;
 }
 
 std::vector<MeshPart> mend(std::vector<MeshPart> parts, const ProcessArguments& arguments,

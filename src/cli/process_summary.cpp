@@ -23,6 +23,7 @@ Json json_of(const StepFacts& facts)
             {"manifold", facts.topology.manifold()},
             {"oriented", facts.topology.oriented()},
             {"self_intersections", facts.self_intersections},
+            {"flat_faces", facts.flat_faces},
             {"min_angle_deg", facts.angles.min_deg},
             {"mean_min_angle_deg", facts.angles.mean_min_deg},
             {"area_mm2", facts.area_mm2},
@@ -57,10 +58,9 @@ std::string facts_text(const StepFacts& facts)
 {
     return count_text(facts.vertices) + " vertices" + ", " + plural_text(facts.faces, "face") + ", " +
            plural_text(facts.topology.components, "piece") + ", " +
-           (facts.topology.closed() ? "closed" : "open") + ", " +
-           plural_text(facts.self_intersections, "crossing") + ", smallest angle " +
-           number_text(facts.angles.min_deg) + " deg (mean " + number_text(facts.angles.mean_min_deg) +
-           "), volume " + number_text(facts.volume_mm3) + " mm3";
+           (facts.topology.closed() ? "closed" : "open") + ", " + crossings_text(facts) +
+           ", smallest angle " + number_text(facts.angles.min_deg) + " deg (mean " +
+           number_text(facts.angles.mean_min_deg) + "), volume " + number_text(facts.volume_mm3) + " mm3";
 }
 
 Json steps_json(const std::vector<StepReport>& steps)

@@ -83,7 +83,7 @@ Json topology_json(const Measurement& measurement)
             {"manifold", topology.manifold()},
             {"oriented", topology.oriented() && measurement.certificate.surfaces_inside_out == 0},
             {"surfaces_inside_out", measurement.certificate.surfaces_inside_out},
-            {"self_intersections", check.self_intersections.size() - check.flat_faces},
+            {"self_intersections", check.self_intersections.size()},
             {"flat_faces", check.flat_faces},
             {"boundary_edges", topology.boundary_edges},
             {"non_manifold_edges", topology.non_manifold_edges},
