@@ -70,9 +70,11 @@ std::string crossings_text(const MeshCheck& check)
 {
     const std::size_t crossing = check.self_intersections.size();
     return (crossing == 0 ? "no two faces cross or overlap"
-                          : count_text(crossing) + " pairs of faces cross or overlap") +
-           "; " + count_text(check.flat_faces) + " faces without area, " + count_text(check.duplicate_faces) +
-           " doubled; " + count_text(check.topology.unused_vertices) + " vertices on no face";
+                          : plural_text(crossing, "pair of faces crosses or overlaps",
+                                        "pairs of faces cross or overlap")) +
+           "; " + plural_text(check.flat_faces, "face") + " without area, " +
+           count_text(check.duplicate_faces) + " doubled; " + count_text(check.topology.unused_vertices) +
+           " vertices on no face";
 }
 
 std::string object_name(const CheckRun& run, std::size_t object)
@@ -245,8 +247,7 @@ std::optional<std::string> wrong_with_mesh(const CheckRun& run)
         return defects(run.check);
     auto reason = broken_promise(run.scan->certificate);
     if (const std::size_t flat = run.check.flat_faces; flat > 0) // of which the certificate knows nothing
-        reason = (reason ? *reason + ", " : "") + count_text(flat) +
-                 (flat == 1 ? " face without area" : " faces without area");
+        reason = (reason ? *reason + ", " : "") + plural_text(flat, "face") + " without area";
     if (reason && lies_nowhere_near(run.scan->certificate, run.check))
         *reason +=
             "; no vertex lies near the surface: is it a mesh of this scan at this isovalue, in the frame " +

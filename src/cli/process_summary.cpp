@@ -49,11 +49,6 @@ Json json_of(const StepReport& step)
 
 } // namespace
 
-std::string plural_text(std::size_t count, const std::string& one)
-{
-    return count_text(count) + ' ' + one + (count == 1 ? "" : "s");
-}
-
 std::string facts_text(const StepFacts& facts)
 {
     return count_text(facts.vertices) + " vertices" + ", " + plural_text(facts.faces, "face") + ", " +

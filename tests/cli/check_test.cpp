@@ -124,7 +124,7 @@ TEST_F(CheckTest, faces_without_area_are_counted_apart_from_pairs_that_cross)
     for (const auto& pair : told["first_self_intersections"])
         EXPECT_NE(pair[0], pair[1]);
     EXPECT_EQ(told["first_self_intersections"].size(), told["self_intersections"]);
-    EXPECT_NE(checked.out.find(pairs + " pairs of faces cross or overlap; 1 faces without area"),
+    EXPECT_NE(checked.out.find(pairs + " pairs of faces cross or overlap; 1 face without area"),
               std::string::npos)
         << checked.out;
     EXPECT_NE(checked.err.find("1 face without area, " + pairs + " pairs of faces"), std::string::npos)
