@@ -40,7 +40,7 @@ void add_measurement(const TriangleMesh& mesh, const ReferenceSurface& reference
     record.non_manifold_edges = check.topology.non_manifold_edges;
     record.non_manifold_vertices = check.topology.non_manifold_vertices;
     record.misoriented_edges = check.topology.misoriented_edges;
-    record.self_intersections = check.self_intersections.size() - check.flat_faces;
+    record.self_intersections = check.self_intersections.size();
     record.area = check.area;
     record.surfaces_there = measured.certificate.surfaces_expected;
     record.surfaces_found = measured.certificate.surfaces_meshed;

@@ -9,6 +9,8 @@
 
 #include "io/mesh_file.h"
 #include "support/error.h"
+#include "support/text.h"
+#include "support/utf8.h"
 
 namespace voroprobe
 {
@@ -16,13 +18,6 @@ namespace
 {
 
 constexpr std::string_view kBlanks = " \t\r";
-
-std::string_view trimmed(std::string_view text)
-{
-    const std::size_t first = text.find_first_not_of(kBlanks);
-    return first == std::string_view::npos ? std::string_view()
-                                           : text.substr(first, text.find_last_not_of(kBlanks) + 1 - first);
-}
 
 std::vector<std::string_view> words_of(std::string_view text)
 {
@@ -114,7 +109,7 @@ std::vector<LabelEntry> read_label_table(const std::filesystem::path& path)
     std::error_code unknown; // then it is no file
     if (!std::filesystem::is_regular_file(path, unknown))
         fail_reading(path, "there is no such file");
-    std::istringstream lines(read_whole_file(path));
+    std::istringstream lines(as_utf8(read_whole_file(path)));
     std::vector<LabelEntry> entries;
     std::map<std::int64_t, std::string> name_of;
     std::size_t number = 0;

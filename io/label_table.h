@@ -25,8 +25,9 @@ struct LabelEntry
 //! - FreeSurfer look-up tables and 3D Slicer colour tables (.ctbl): number, name, red, green, blue, opacity;
 //! - number and name, separated by blanks or one of , ; : =.
 //!
-//! Lines that are empty or begin with # or // are comments. \throw InputError with the line where it is none
-//! of these, and where a number has two different names.
+//! The text is UTF-8, or else Latin-1; the names are UTF-8. Lines that are empty or begin with # or // are
+//! comments. \throw InputError with the line where it is none of these, and where a number has two different
+//! names.
 std::vector<LabelEntry> read_label_table(const std::filesystem::path& path);
 
 } // namespace voroprobe

@@ -259,7 +259,7 @@ void write_stl_binary(const TriangleMesh& mesh, std::ostream& out, const std::ve
             const om::Vec3f a = point(mesh.faces[f][0]);
             const om::Vec3f b = point(mesh.faces[f][1]);
             const om::Vec3f c = point(mesh.faces[f][2]);
-            const om::Vec3f normal = ((c - b) % (a - b)).normalize();
+            const om::Vec3f normal = ((c - b) % (a - b)).normalize_cond(); // 0 0 0 without area
             char* to = bytes.data() + (f - first) * kStlFaceBytes;
             for (const om::Vec3f& v : {normal, a, b, c})
                 to = put(v, to);

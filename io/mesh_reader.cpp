@@ -1,7 +1,6 @@
 #include "io/mesh_reader.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -13,6 +12,7 @@
 #include "io/mesh_text_reader.h"
 #include "io/mesh_vtk.h"
 #include "mesh/topology.h"
+#include "support/text.h"
 
 namespace voroprobe
 {
@@ -36,16 +36,9 @@ void check_file(const fs::path& path)
         fail_reading(path, std::strerror(errno));
 }
 
-std::string lower_case_extension(const fs::path& path)
-{
-    std::string text = path.extension().string();
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-    return text;
-}
-
 TriangleMesh read_as_stored(const fs::path& path)
 {
-    const std::string extension = lower_case_extension(path);
+    const std::string extension = lower_case(path.extension().string());
     if (extension == ".stl")
         return read_stl(path);
     if (extension == ".ply")
@@ -77,7 +70,7 @@ std::vector<MeshPart> read_parts(const fs::path& path)
 {
     check_file(path);
     std::vector<MeshPart> parts;
-    if (lower_case_extension(path) == ".3mf")
+    if (lower_case(path.extension().string()) == ".3mf")
         parts = read_3mf(path);
     else
         parts.push_back({.name = "", .mesh = read_as_stored(path)});

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <fstream>
 #include <limits>
 #include <string_view>
@@ -14,6 +13,7 @@
 #include "io/mesh_vtk.h"
 #include "mesh/vertex_normals.h"
 #include "support/error.h"
+#include "support/text.h"
 
 namespace voroprobe
 {
@@ -37,12 +37,6 @@ constexpr std::array<NamedFormat, 7> kFormats{{{"stl", ".stl", MeshFormat::kStlB
                                                {"off", ".off", MeshFormat::kOff},
                                                {"vtp", ".vtp", MeshFormat::kVtp},
                                                {"3mf", ".3mf", MeshFormat::k3mf}}};
-
-std::string lower_case(std::string text)
-{
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-    return text;
-}
 
 //! "stl, stl-ascii, ply, ..." or ".stl, .ply, ...".
 std::string list_of(std::string_view NamedFormat::*field)

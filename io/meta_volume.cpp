@@ -14,6 +14,7 @@
 #include "io/volume_formats.h"
 #include "io/volume_itk.h"
 #include "support/error.h"
+#include "support/text.h"
 
 namespace voroprobe
 {
@@ -50,12 +51,6 @@ struct Header
     }
 };
 
-std::string trimmed(const std::string& text)
-{
-    const std::size_t first = text.find_first_not_of(" \t\r");
-    return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
-}
-
 Header read_header(const std::filesystem::path& path)
 {
     Header header;
@@ -64,11 +59,14 @@ Header read_header(const std::filesystem::path& path)
     {
         const std::size_t equals = line.find('=');
         if (header.fields.contains("ElementDataFile"))
-            header.lines_after.push_back(trimmed(line));
+            header.lines_after.emplace_back(trimmed(line));
         else if (equals == std::string::npos)
             break;
         else
-            header.fields[trimmed(line.substr(0, equals))] = trimmed(line.substr(equals + 1));
+        {
+            const std::string_view field = line;
+            header.fields[std::string(trimmed(field.substr(0, equals)))] = trimmed(field.substr(equals + 1));
+        }
         if (header.text("ElementDataFile", "") == "LOCAL")
         {
             header.byte_count = static_cast<std::size_t>(head.tellg());

@@ -36,12 +36,6 @@ std::vector<std::string> nrrd_header_lines(const std::filesystem::path& path)
     return lines;
 }
 
-std::string trimmed_of_blanks(const std::string& text)
-{
-    const std::size_t first = text.find_first_not_of(" \t");
-    return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") + 1 - first);
-}
-
 std::string nrrd_field(const std::vector<std::string>& lines, const std::string& name)
 {
     for (const std::string& line : lines)

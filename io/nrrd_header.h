@@ -17,7 +17,4 @@ std::string nrrd_field(const std::vector<std::string>& lines, const std::string&
 //! Whether 3D Slicer wrote it as a segmentation: it has keys of segments.
 bool is_segmentation(const std::vector<std::string>& lines);
 
-//! Without blanks at both ends.
-std::string trimmed_of_blanks(const std::string& text);
-
 } // namespace voroprobe

@@ -10,6 +10,8 @@
 #include "io/nrrd_header.h"
 #include "io/volume_bytes.h"
 #include "support/error.h"
+#include "support/text.h"
+#include "support/utf8.h"
 
 namespace voroprobe
 {
@@ -20,7 +22,8 @@ template <class Number>
 Number number_or(const std::vector<std::string>& lines, const std::string& key, Number otherwise,
                  const std::filesystem::path& path)
 {
-    const std::string text = trimmed_of_blanks(nrrd_field(lines, key));
+    const std::string field = nrrd_field(lines, key);
+    const std::string_view text = trimmed(field);
     if (text.empty())
         return otherwise;
     const auto number = parse_number<Number>(text);
@@ -69,7 +72,7 @@ std::vector<Segment> read_segments(const std::filesystem::path& path)
                          [&](const std::string& line) { return line.starts_with(key); }))
             return segments;
         Segment segment{.entry = {.value = number_or<std::int64_t>(lines, key + "LabelValue", 1, path),
-                                  .name = trimmed_of_blanks(nrrd_field(lines, key + "Name")),
+                                  .name = as_utf8(std::string(trimmed(nrrd_field(lines, key + "Name")))),
                                   .color = color_of(nrrd_field(lines, key + "Color"))}};
         segment.layer = number_or<std::size_t>(lines, key + "Layer", static_cast<std::size_t>(n), path);
         segments.push_back(std::move(segment));

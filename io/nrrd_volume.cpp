@@ -16,6 +16,7 @@
 #include "io/volume_formats.h"
 #include "io/volume_itk.h"
 #include "support/error.h"
+#include "support/text.h"
 
 namespace voroprobe
 {
@@ -79,7 +80,7 @@ void require_sizes(const std::vector<std::string>& lines)
         fits = fits && !too_large && !__builtin_mul_overflow(samples, *size, &samples);
     }
     if (!fits)
-        throw InputError("the header gives the sizes " + in_quotes(trimmed_of_blanks(sizes)) +
+        throw InputError("the header gives the sizes " + in_quotes(trimmed(sizes)) +
                          ", more samples than any memory holds, expected fewer than 2^63");
 }
 

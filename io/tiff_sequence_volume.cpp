@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <limits>
 
@@ -9,6 +8,7 @@
 #include "io/volume_natural_order.h"
 #include "io/volume_tiff.h"
 #include "support/error.h"
+#include "support/text.h"
 
 namespace voroprobe
 {
@@ -21,9 +21,7 @@ std::vector<std::filesystem::path> tiff_files(const std::filesystem::path& folde
     std::vector<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::directory_iterator(folder))
     {
-        std::string extension = entry.path().extension().string();
-        std::transform(extension.begin(), extension.end(), extension.begin(),
-                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+        const std::string extension = lower_case(entry.path().extension().string());
         if (entry.is_regular_file() && (extension == ".tif" || extension == ".tiff") &&
             !entry.path().filename().string().starts_with('.'))
             files.push_back(entry.path());

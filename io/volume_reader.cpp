@@ -1,8 +1,6 @@
 #include "io/volume_reader.h"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -11,6 +9,7 @@
 #include "io/volume_formats.h"
 #include "support/error.h"
 #include "support/number_text.h"
+#include "support/text.h"
 
 namespace voroprobe
 {
@@ -23,13 +22,6 @@ using Reader = StoredVolume (*)(const std::filesystem::path&, const ReadOptions&
 constexpr const char* kKnownFormats =
     "NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd), TIFF (.tif, "
     ".tiff), DICOM, Inrimage (.inr, .inr.gz) or VTK image data (.vti, .vtk)";
-
-std::string lower_case(std::string text)
-{
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
 
 Reader reader_by_name(const std::filesystem::path& path)
 {

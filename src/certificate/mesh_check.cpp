@@ -21,12 +21,6 @@ std::size_t count_duplicate_faces(const TriangleMesh& mesh)
     return static_cast<std::size_t>(sorted.end() - std::unique(sorted.begin(), sorted.end()));
 }
 
-std::size_t count_flat_faces(const std::vector<FacePair>& pairs)
-{
-    return static_cast<std::size_t>(std::count_if(
-        pairs.begin(), pairs.end(), [](const FacePair& pair) { return pair.first == pair.second; }));
-}
-
 void measure_angles(const TriangleMesh& mesh, std::optional<double> angle_bound_deg, MeshCheck& check)
 {
     check.angles = measure_angles(mesh);
@@ -48,7 +42,7 @@ MeshCheck check_mesh(const TriangleMesh& mesh, std::optional<double> angle_bound
                          [&] { check.pieces = split_into_pieces(mesh).pieces; },
                          [&] { measure_angles(mesh, angle_bound_deg, check); },
                          [&] { check.duplicate_faces = count_duplicate_faces(mesh); });
-    check.flat_faces = count_flat_faces(check.self_intersections);
+    check.flat_faces = take_flat_faces(check.self_intersections);
     check.area = area(mesh);
     check.enclosed_volume = enclosed_volume(mesh);
     check.box = bounding_box(mesh);
@@ -68,12 +62,11 @@ MeshCheck check_objects(std::span<const MeshPart> objects, std::optional<double>
 std::optional<std::string> defects(const MeshCheck& check)
 {
     const MeshTopology& topology = check.topology;
-    const std::size_t crossing_pairs = check.self_intersections.size() - check.flat_faces;
     Complaints complaints;
     complaints.add(topology.boundary_edges, "edge on one face only", "edges on one face only");
     complaints.add_crowding(topology);
     complaints.add(check.flat_faces, "face without area", "faces without area");
-    complaints.add(crossing_pairs, "pair of faces that cross or overlap",
+    complaints.add(check.self_intersections.size(), "pair of faces that cross or overlap",
                    "pairs of faces that cross or overlap");
     if (!complaints.text() && check.enclosed_volume <= 0.0)
         return "faces that wind inward";

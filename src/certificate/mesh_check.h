@@ -28,7 +28,7 @@ struct MeshCheck
     std::size_t faces = 0;
     MeshTopology topology;
     std::vector<MeshPiece> pieces;
-    std::vector<FacePair> self_intersections;   //!< ascending; faces of one object
+    std::vector<FacePair> self_intersections;   //!< ascending; two faces of one object
     std::vector<ObjectOverlap> object_overlaps; //!< ascending; no defect
     std::size_t flat_faces = 0;                 //!< without area, those that name a vertex twice included
     std::size_t duplicate_faces = 0;            //!< over the same vertices as an earlier face

@@ -207,6 +207,11 @@ std::vector<FacePair> self_intersections(const FaceTree& tree)
     return sorted;
 }
 
+std::size_t take_flat_faces(std::vector<FacePair>& pairs)
+{
+    return std::erase_if(pairs, [](const FacePair& pair) { return pair.first == pair.second; });
+}
+
 bool first_faces_intersect(const TriangleMesh& mesh, std::size_t count)
 {
     const FacePairs pairs(mesh);

@@ -23,6 +23,9 @@ std::vector<FacePair> self_intersections(const TriangleMesh& mesh);
 //! The same for a mesh whose tree there is.
 std::vector<FacePair> self_intersections(const FaceTree& tree);
 
+//! Takes the faces without area out of `pairs`, so that two faces meet in each that is left, and counts them.
+std::size_t take_flat_faces(std::vector<FacePair>& pairs);
+
 //! Is one of the first `count` faces without area, or does it meet any other face elsewhere than in the
 //! corners and edges they share by index? As exact as self_intersections(). For a few faces and what lies
 //! around them: `count` times n box tests, on this thread. \pre coordinates are finite; `count` <= n.

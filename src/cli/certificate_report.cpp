@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/info_text.h"
+#include "cli/json_values.h"
 #include "cli/number_text.h"
 
 namespace voroprobe
@@ -95,15 +96,9 @@ std::string exceptions_line(const CriteriaExceptions& exceptions)
 
 // ---- For programs ----
 
-Json json_of(const Vec3& v)
-{
-    return Json::array({v.x, v.y, v.z});
-}
-
 Json json_of(const Box3& box, const AffineTransform& shown_from_oracle)
 {
-    const Box3 shown = transformed(box, shown_from_oracle);
-    return {{"min", json_of(shown.min)}, {"max", json_of(shown.max)}};
+    return json_of(transformed(box, shown_from_oracle));
 }
 
 template <typename Entry, typename ToJson>
@@ -113,11 +108,6 @@ Json list_json(const std::vector<Entry>& entries, ToJson to_json)
     for (const Entry& entry : entries)
         list.push_back(to_json(entry));
     return list;
-}
-
-Json json_of(const std::optional<std::size_t>& count)
-{
-    return count ? Json(*count) : Json(nullptr);
 }
 
 Json json_of(const DirectedDistance& distance, const AffineTransform& shown_from_oracle)
@@ -227,15 +217,15 @@ Json certificate_json(const Certificate& certificate, const AffineTransform& sho
             {"closed", certificate.closed},
             {"manifold", certificate.manifold()},
             {"oriented", certificate.oriented()},
-            {"self_intersections", json_of(certificate.self_intersections)},
+            {"self_intersections", value_or_null(certificate.self_intersections)},
             {"distance_max_mm", certificate.distance.max()},
             {"distance_mean_mm", certificate.distance.mean()},
             {"distance_from_mesh", json_of(certificate.distance.from_mesh, shown_from_oracle)},
             {"distance_from_scan", json_of(certificate.distance.from_surface, shown_from_oracle)},
             {"criteria_exceptions",
-             {{"angle", json_of(exceptions.angle)},
-              {"size", json_of(exceptions.size)},
-              {"distance", json_of(exceptions.distance)}}}};
+             {{"angle", value_or_null(exceptions.angle)},
+              {"size", value_or_null(exceptions.size)},
+              {"distance", value_or_null(exceptions.distance)}}}};
 }
 
 } // namespace voroprobe

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "cli/check_run.h"
+#include "cli/distinct_files.h"
 #include "cli/mesh_defaults.h"
 #include "cli/shape_input.h"
 #include "cli/summary.h"
@@ -17,8 +18,6 @@ namespace voroprobe
 
 namespace
 {
-
-namespace fs = std::filesystem;
 
 //! Vertices of other people's meshes may lie so far from the surface they stand for, voxels: meshes are
 //! smoothed and decimated.
@@ -37,11 +36,10 @@ void check_arguments(const CheckArguments& arguments)
     }
     if (!arguments.json)
         return;
-    std::error_code unknown; // what does not exist is not the same
-    for (const fs::path& input : {arguments.mesh, arguments.against.value_or(arguments.mesh)})
-        if (fs::weakly_canonical(*arguments.json, unknown) == fs::weakly_canonical(input, unknown))
-            throw UsageError("--json is '" + arguments.json->string() +
-                             "', which is read; allowed: another file");
+    std::vector<NamedFile> inputs{{"MESH", arguments.mesh}};
+    if (arguments.against)
+        inputs.push_back({"--against", *arguments.against});
+    check_distinct(inputs, {{"--json", *arguments.json}});
     check_writable(*arguments.json);
 }
 

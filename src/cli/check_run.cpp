@@ -7,6 +7,7 @@
 
 #include "cli/certificate_report.h"
 #include "cli/info_text.h"
+#include "cli/json_values.h"
 #include "cli/number_text.h"
 #include "cli/print_report.h"
 #include "support/memory.h"
@@ -67,11 +68,13 @@ std::string pieces_text(const std::vector<MeshPiece>& pieces)
 
 std::string crossings_text(const MeshCheck& check)
 {
-    const std::size_t crossing = check.self_intersections.size() - check.flat_faces;
+    const std::size_t crossing = check.self_intersections.size();
     return (crossing == 0 ? "no two faces cross or overlap"
-                          : count_text(crossing) + " pairs of faces cross or overlap") +
-           "; " + count_text(check.flat_faces) + " faces without area, " + count_text(check.duplicate_faces) +
-           " doubled; " + count_text(check.topology.unused_vertices) + " vertices on no face";
+                          : plural_text(crossing, "pair of faces crosses or overlaps",
+                                        "pairs of faces cross or overlap")) +
+           "; " + plural_text(check.flat_faces, "face") + " without area, " +
+           count_text(check.duplicate_faces) + " doubled; " + count_text(check.topology.unused_vertices) +
+           " vertices on no face";
 }
 
 std::string object_name(const CheckRun& run, std::size_t object)
@@ -149,16 +152,6 @@ std::string scan_lines(const CheckRun& run)
 
 // ---- For programs ----
 
-Json json_of(const Vec3& v)
-{
-    return Json::array({v.x, v.y, v.z});
-}
-
-Json json_of(const Box3& box)
-{
-    return {{"min", json_of(box.min)}, {"max", json_of(box.max)}};
-}
-
 Json pieces_json(const std::vector<MeshPiece>& pieces)
 {
     Json list = Json::array();
@@ -218,8 +211,7 @@ Json mesh_json(const CheckRun& run)
             {"faces_below_10_deg", check.faces_below_shown_angle[0]},
             {"faces_below_20_deg", check.faces_below_shown_angle[1]},
             {"faces_below_30_deg", check.faces_below_shown_angle[2]},
-            {"faces_below_angle_bound",
-             check.faces_below_angle_bound ? Json(*check.faces_below_angle_bound) : Json(nullptr)},
+            {"faces_below_angle_bound", value_or_null(check.faces_below_angle_bound)},
             {"box", json_of(check.box)},
             {"first_self_intersections", pairs_json(check.self_intersections)},
             {"objects", run.objects.size()},
@@ -254,6 +246,8 @@ std::optional<std::string> wrong_with_mesh(const CheckRun& run)
     if (!run.scan)
         return defects(run.check);
     auto reason = broken_promise(run.scan->certificate);
+    if (const std::size_t flat = run.check.flat_faces; flat > 0) // of which the certificate knows nothing
+        reason = (reason ? *reason + ", " : "") + plural_text(flat, "face") + " without area";
     if (reason && lies_nowhere_near(run.scan->certificate, run.check))
         *reason +=
             "; no vertex lies near the surface: is it a mesh of this scan at this isovalue, in the frame " +
@@ -286,7 +280,7 @@ std::string check_json(const CheckRun& run)
     const auto wrong = what_is_wrong(run);
     Json result{{"version", VOROPROBE_VERSION},
                 {"status", wrong ? "incomplete" : "done"},
-                {"reason", wrong ? Json(*wrong) : Json(nullptr)},
+                {"reason", value_or_null(wrong)},
                 {"mesh", mesh_json(run)}};
     if (run.print)
         result["printable"] = print_json(*run.print, run.arguments.print);
@@ -297,7 +291,7 @@ std::string check_json(const CheckRun& run)
     }
     result["timings_s"] = {{"read", run.seconds_reading}, {"check", run.seconds_checking}};
     result["peak_memory_bytes"] = peak_memory_bytes();
-    return result.dump(2) + '\n';
+    return json_text(result) + '\n';
 }
 
 } // namespace voroprobe

@@ -5,6 +5,7 @@
 
 #include "cli/compare_labels.h"
 #include "cli/compare_scan.h"
+#include "cli/distinct_files.h"
 #include "cli/summary.h"
 #include "cli/surface_input.h"
 #include "cli/warnings.h"
@@ -12,6 +13,7 @@
 #include "compare/virtual_display.h"
 #include "io/mesh_writer.h"
 #include "support/error.h"
+#include "support/text.h"
 
 namespace voroprobe
 {
@@ -24,9 +26,7 @@ namespace fs = std::filesystem;
 //! Names of files in a folder that are scans by themselves.
 bool is_volume_name(const fs::path& path)
 {
-    std::string name = path.filename().string();
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string name = lower_case(path.filename().string());
     const auto ends = {".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd", ".inr", ".inr.gz", ".vti"};
     return std::any_of(ends.begin(), ends.end(), [&](const char* end) { return name.ends_with(end); });
 }
@@ -85,6 +85,31 @@ struct Outputs
     }
 };
 
+Outputs outputs_of(const CompareArguments& arguments, const Scans& scans, const fs::path& scan)
+{
+    return {scans.into_folder ? arguments.output / (stem_of(scan) + ".html") : arguments.output};
+}
+
+void check_files(const CompareArguments& arguments, const Scans& scans)
+{
+    std::vector<NamedFile> inputs;
+    for (const BroughtMesh& mesh : arguments.with)
+        inputs.push_back({"--with " + mesh.name, mesh.path});
+    std::vector<NamedFile> files;
+    if (scans.into_folder)
+        files.push_back({"the index", arguments.output / "index.html"});
+    for (const fs::path& scan : scans.paths)
+    {
+        inputs.push_back({"INPUT", scan});
+        const Outputs outputs = outputs_of(arguments, scans, scan);
+        files.push_back({"the page of " + scan.string(), outputs.page});
+        for (const char* ending : {".json", ".csv", ".md"})
+            files.push_back(
+                {"the " + std::string(ending) + " file of " + scan.string(), outputs.beside(ending)});
+    }
+    check_distinct(inputs, files);
+}
+
 ScanReport compare_into(const Outputs& outputs, const CompareArguments& arguments, const fs::path& scan,
                         const std::optional<std::string>& no_pictures)
 {
@@ -121,6 +146,7 @@ void check_arguments(const CompareArguments& arguments, const Scans& scans)
     if (scans.into_folder && !arguments.with.empty())
         throw UsageError("--with is '" + arguments.with.front().name + "=" +
                          arguments.with.front().path.string() + "'; allowed: only with one scan");
+    check_files(arguments, scans);
 }
 
 void make_folder(const fs::path& folder)
@@ -133,16 +159,16 @@ void make_folder(const fs::path& folder)
 
 //! One page after the other, and an index of those there are. A scan that cannot be read is told of, and the
 //! others come.
-void compare_all(const CompareArguments& arguments, const std::vector<fs::path>& scans,
+void compare_all(const CompareArguments& arguments, const Scans& scans,
                  const std::optional<std::string>& no_pictures)
 {
     make_folder(arguments.output);
     check_writable(arguments.output / "index.html");
     std::vector<std::pair<std::string, std::string>> pages;
     std::vector<std::string> failures;
-    for (const fs::path& scan : scans)
+    for (const fs::path& scan : scans.paths)
     {
-        const Outputs outputs{arguments.output / (stem_of(scan) + ".html")};
+        const Outputs outputs = outputs_of(arguments, scans, scan);
         try
         {
             pages.emplace_back(outputs.page.filename().string(),
@@ -158,7 +184,7 @@ void compare_all(const CompareArguments& arguments, const std::vector<fs::path>&
         write_text(arguments.output / "index.html", report_index(pages));
     print_warnings(failures);
     if (!failures.empty())
-        throw InputError(std::to_string(failures.size()) + " of " + std::to_string(scans.size()) +
+        throw InputError(std::to_string(failures.size()) + " of " + std::to_string(scans.paths.size()) +
                          " scans have no page: " + failures.front());
 }
 
@@ -176,7 +202,7 @@ void run_compare_command(const CompareArguments& arguments)
     if (no_pictures)
         print_warnings({"no pictures: " + *no_pictures});
     if (scans.into_folder)
-        return compare_all(arguments, scans.paths, no_pictures);
+        return compare_all(arguments, scans, no_pictures);
     check_writable(arguments.output);
     compare_into({arguments.output}, arguments, scans.paths.front(), no_pictures);
 }

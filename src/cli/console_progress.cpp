@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "cli/interrupt.h"
+#include "cli/json_values.h"
 #include "cli/number_text.h"
 #include "support/stopwatch.h"
 
@@ -65,7 +66,7 @@ class JsonProgress final : public PacedProgress
                                           {"bad_facets_left", report.bad_facets_left},
                                           {"vertices_per_second", vertices_per_second},
                                           {"seconds", seconds}};
-        std::cerr << line.dump() + '\n' << std::flush;
+        std::cerr << json_text(line, kOneLine) + '\n' << std::flush;
     }
 };
 

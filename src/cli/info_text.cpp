@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/json_values.h"
 #include "cli/number_text.h"
 
 namespace voroprobe
@@ -13,11 +14,6 @@ namespace
 //! Below this the axes of a file are called parallel to the world's: direction cosines come with about six
 //! digits.
 constexpr double kParallelDeg = 0.01;
-
-nlohmann::ordered_json json_of(const Vec3& v)
-{
-    return nlohmann::ordered_json::array({v.x, v.y, v.z});
-}
 
 std::string orientation_text(const Matrix3& direction)
 {

@@ -3,6 +3,7 @@
 #include <array>
 #include <set>
 
+#include "cli/interrupt.h"
 #include "cli/output_pattern.h"
 #include "io/mesh_label_writer.h"
 #include "support/error.h"
@@ -56,6 +57,7 @@ void LabelOutput::prepare() const
         make_folder_of(label.path);
         check_writable(label.path);
     }
+    expect_files(one_file_ ? 1 : labels_.size());
 }
 
 std::vector<std::string> LabelOutput::comments() const
@@ -73,15 +75,22 @@ void LabelOutput::take(const LabelOutcome& label, TriangleMesh mesh)
         parts_[static_cast<std::size_t>(&label - labels_.data())] = std::move(part);
         return;
     }
+    write(label, std::move(part));
+    note_file_written();
+}
+
+void LabelOutput::write(const LabelOutcome& label, MeshPart part) const
+{
     if (holds_labels(format_)) // then it holds a name and a colour, too
     {
-        write_labels(std::array{std::move(part)}, std::array{label.value}, label.path, format_, comments());
+        write_labels(std::array{std::move(part)}, std::array{label.value}, label.path, format_, comments(),
+                     pass_point_of_no_return);
         return;
     }
     std::vector<std::string> lines = comments();
     lines.push_back("label: " + std::to_string(label.value));
     lines.push_back("name: " + label.name);
-    write_mesh(part.mesh, label.path, format_, lines);
+    write_mesh(part.mesh, label.path, format_, lines, pass_point_of_no_return);
 }
 
 void LabelOutput::finish()
@@ -92,7 +101,8 @@ void LabelOutput::finish()
     values.reserve(labels_.size());
     for (const LabelOutcome& label : labels_)
         values.push_back(label.value);
-    write_labels(parts_, values, arguments_.output, format_, comments());
+    write_labels(parts_, values, arguments_.output, format_, comments(), pass_point_of_no_return);
+    note_file_written();
 }
 
 } // namespace voroprobe

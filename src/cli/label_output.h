@@ -25,6 +25,9 @@ public:
     void finish();
 
 private:
+    //! To the file of its own.
+    void write(const LabelOutcome& label, MeshPart part) const;
+
     [[nodiscard]] std::vector<std::string> comments() const;
 
     const MeshArguments& arguments_;

@@ -4,11 +4,13 @@
 #include <map>
 #include <thread>
 
+#include "cli/distinct_files.h"
 #include "cli/label_map_input.h"
 #include "cli/label_output.h"
 #include "cli/labels_report.h"
 #include "cli/labels_run.h"
 #include "cli/mesh_budget.h"
+#include "cli/output_pattern.h"
 #include "cli/summary.h"
 #include "cli/warnings.h"
 #include "io/mesh_writer.h"
@@ -22,12 +24,35 @@ namespace voroprobe
 namespace
 {
 
+//! `meshes`: what is written beside the summary.
+void check_files(const MeshArguments& arguments, std::vector<NamedFile> meshes)
+{
+    std::vector<NamedFile> inputs{{"INPUT", arguments.input}};
+    if (arguments.label_map.names)
+        inputs.push_back({"--names", *arguments.label_map.names});
+    if (arguments.summary)
+        meshes.push_back({"--summary", *arguments.summary});
+    check_distinct(inputs, meshes);
+}
+
+//! What a pattern stands for, once the labels are known.
+void check_expanded(const LabelsRun& run)
+{
+    if (!is_output_pattern(run.arguments.output))
+        return; // was looked at
+    std::vector<NamedFile> meshes;
+    for (const LabelOutcome& label : run.labels)
+        meshes.push_back({"OUTPUT for label " + std::to_string(label.value), label.path});
+    check_files(run.arguments, std::move(meshes));
+}
+
 //! What can be told of the output before anything is read.
 MeshFormat check_pattern(const MeshArguments& arguments)
 {
     if (arguments.output.empty())
         throw UsageError("--output is required (see voroprobe mesh --help)");
     const MeshFormat format = mesh_format(arguments.output, arguments.format);
+    check_files(arguments, {{"OUTPUT", arguments.output}});
     if (arguments.summary)
         check_writable(*arguments.summary);
     return format;
@@ -122,6 +147,7 @@ void run_labels_command(const MeshArguments& arguments)
                   .timings = {}};
     check_sizes(run);
     LabelOutput output(arguments, format, run.labels);
+    check_expanded(run);
     output.prepare();
     run.timings.read = clock.seconds();
     mesh_and_write(run, output, *progress);

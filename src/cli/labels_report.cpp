@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/info_text.h"
+#include "cli/json_values.h"
 #include "cli/number_text.h"
 #include "support/memory.h"
 
@@ -319,7 +320,7 @@ std::string labels_summary_json(const LabelsRun& run)
         {"timings_s",
          {{"read", run.timings.read}, {"meshing", run.timings.refinement}, {"total", run.timings.total}}},
         {"peak_memory_bytes", peak_memory_bytes()}};
-    return summary.dump(2) + '\n';
+    return json_text(summary) + '\n';
 }
 
 } // namespace voroprobe

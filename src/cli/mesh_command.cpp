@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "cli/distinct_files.h"
 #include "cli/interrupt.h"
 #include "cli/label_map_input.h"
 #include "cli/labels_command.h"
@@ -26,16 +27,6 @@ namespace voroprobe
 
 namespace
 {
-
-namespace fs = std::filesystem;
-
-void check_distinct(const fs::path& a, const char* name_of_a, const fs::path& b, const char* name_of_b)
-{
-    std::error_code unknown; // what does not exist is not the same
-    if (fs::weakly_canonical(a, unknown) == fs::weakly_canonical(b, unknown))
-        throw UsageError(std::string(name_of_a) + " and " + name_of_b + " are both " + a.string() +
-                         "; allowed: two files");
-}
 
 SurfaceRequest request_of(const MeshArguments& arguments)
 {
@@ -74,6 +65,19 @@ void check_finish(const MeshArguments& arguments)
             "--center and --on-bed");
 }
 
+void check_files(const MeshArguments& arguments)
+{
+    std::vector<NamedFile> inputs;
+    if (!arguments.formula)
+        inputs.push_back({"INPUT", arguments.input});
+    if (arguments.finding.seeds)
+        inputs.push_back({"--seeds", *arguments.finding.seeds});
+    std::vector<NamedFile> outputs{{"OUTPUT", arguments.output}};
+    if (arguments.summary)
+        outputs.push_back({"--summary", *arguments.summary});
+    check_distinct(inputs, outputs);
+}
+
 //! Everything that can be refused before the input is read.
 MeshFormat check_outputs(const MeshArguments& arguments)
 {
@@ -81,19 +85,13 @@ MeshFormat check_outputs(const MeshArguments& arguments)
         throw UsageError("--output is required (see voroprobe mesh --help)");
     const MeshFormat format = mesh_format(arguments.output, arguments.format);
     normals_argument(arguments.normals, format);
-    if (!arguments.formula)
-        check_distinct(arguments.output, "OUTPUT", arguments.input, "INPUT");
+    check_files(arguments);
     if (format == MeshFormat::k3mf && arguments.frame == OutputFrame::kIndex)
         throw UsageError(
             "--frame-of-reference is 'index'; allowed: lps, ras, as 3MF files are in millimetres");
     check_writable(arguments.output);
     if (arguments.summary)
-    {
-        if (!arguments.formula)
-            check_distinct(*arguments.summary, "--summary", arguments.input, "INPUT");
-        check_distinct(*arguments.summary, "--summary", arguments.output, "OUTPUT");
         check_writable(*arguments.summary);
-    }
     return format;
 }
 
@@ -174,14 +172,6 @@ std::size_t count_on_border(const TriangleMesh& mesh, const ImplicitDomain& doma
     return static_cast<std::size_t>(std::count_if(mesh.vertices.begin(), mesh.vertices.end(),
                                                   [&](const Point3& p)
                                                   { return domain.distance_beyond(p) >= -rounding; }));
-}
-
-//! From here on a signal comes too late. To be called before the output takes its place.
-void pass_point_of_no_return()
-{
-    set_on_interrupt(OnInterrupt::kFinish);
-    if (interrupt_requested())
-        throw Error(ExitStatus::kInterrupted, "interrupted; nothing was written");
 }
 
 void check_and_write(TriangleMesh& mesh, MeshFormat format, MeshRun& run, ProgressSink& progress)

@@ -23,6 +23,16 @@ std::string triple_text(const Vec3& values, const std::string& separator)
     return number_text(values.x) + separator + number_text(values.y) + separator + number_text(values.z);
 }
 
+std::string plural_text(std::size_t count, const std::string& one, const std::string& many)
+{
+    return count_text(count) + ' ' + (count == 1 ? one : many);
+}
+
+std::string plural_text(std::size_t count, const std::string& one)
+{
+    return plural_text(count, one, one + 's');
+}
+
 std::string percent_text(double share)
 {
     return printed("%.3g %%", 100.0 * share);

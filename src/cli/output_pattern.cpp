@@ -1,11 +1,10 @@
 #include "cli/output_pattern.h"
 
-#include <algorithm>
-#include <cctype>
 #include <map>
 #include <system_error>
 
 #include "support/error.h"
+#include "support/text.h"
 
 namespace voroprobe
 {
@@ -41,13 +40,6 @@ void refuse_other_braces(const std::string& pattern)
         throw UsageError("--output is '" + pattern + "', with '" +
                          rest.substr(open, rest.find('}', open) - open + 1) +
                          "'; allowed: {label} and {name}");
-}
-
-std::string lower_case(std::string text)
-{
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
 }
 
 } // namespace

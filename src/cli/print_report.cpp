@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/info_text.h"
+#include "cli/json_values.h"
 #include "cli/number_text.h"
 
 namespace voroprobe
@@ -43,16 +44,6 @@ std::string fit_text(const PrintCheck& check, const PrintOptions& options)
                                : "fits " + bed;
 }
 
-Json json_of(const Vec3& v)
-{
-    return Json::array({v.x, v.y, v.z});
-}
-
-Json json_of(const Box3& box)
-{
-    return {{"min", json_of(box.min)}, {"max", json_of(box.max)}};
-}
-
 Json json_of(const std::optional<Narrowest>& found)
 {
     return found ? Json{{"mm", found->length}, {"at", json_of(found->at)}} : Json(nullptr);
@@ -64,12 +55,6 @@ Json json_of(const std::optional<WallThickness>& walls)
                         {"percent_5_mm", walls->percent_5},
                         {"median_mm", walls->median}}
                  : Json(nullptr);
-}
-
-template <typename Value>
-Json value_or_null(const std::optional<Value>& value)
-{
-    return value ? Json(*value) : Json(nullptr);
 }
 
 } // namespace

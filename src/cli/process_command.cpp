@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "certificate/mesh_check.h"
+#include "cli/distinct_files.h"
 #include "cli/info_text.h"
 #include "cli/interrupt.h"
 #include "cli/normals_argument.h"
@@ -29,12 +30,6 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kNumberInName = "{n}";
 
-bool is_same_file(const fs::path& a, const fs::path& b)
-{
-    std::error_code unknown; // what does not exist is not the same
-    return fs::weakly_canonical(a, unknown) == fs::weakly_canonical(b, unknown);
-}
-
 fs::path numbered(const fs::path& pattern, std::size_t number)
 {
     std::string name = pattern.string();
@@ -50,6 +45,20 @@ bool has_number(const fs::path& pattern)
 bool writes_many(const ProcessArguments& arguments)
 {
     return arguments.split && has_number(arguments.output);
+}
+
+//! `bodies`: how many files there are, where each body has its own.
+void check_files(const ProcessArguments& arguments, std::size_t bodies)
+{
+    std::vector<NamedFile> outputs;
+    if (!writes_many(arguments))
+        outputs.push_back({"OUT", arguments.output});
+    else
+        for (std::size_t n = 1; n <= bodies; ++n)
+            outputs.push_back({"OUT for body " + std::to_string(n), numbered(arguments.output, n)});
+    if (arguments.summary)
+        outputs.push_back({"--summary", *arguments.summary});
+    check_distinct({{"MESH", arguments.mesh}}, outputs);
 }
 
 //! Everything that can be refused before the mesh is read.
@@ -70,8 +79,8 @@ MeshFormat check_outputs(const ProcessArguments& arguments)
     if (arguments.max_hole_rim && !arguments.repair)
         throw UsageError("--max-hole is " + number_text(*arguments.max_hole_rim) +
                          "; allowed: only with --repair");
-    if (is_same_file(arguments.output, arguments.mesh))
-        throw UsageError("OUT and MESH are both " + arguments.mesh.string() + "; allowed: two files");
+    constexpr std::size_t kLeastBodies = 1;
+    check_files(arguments, kLeastBodies);
     if ((arguments.hollow.drain || arguments.hollow.voxel) && !arguments.hollow.wall)
         throw UsageError("--drain and --voxel go with --hollow WALL only");
     const fs::path first = writes_many(arguments) ? numbered(arguments.output, 1) : arguments.output;
@@ -79,13 +88,7 @@ MeshFormat check_outputs(const ProcessArguments& arguments)
         make_folder_of(first);
     check_writable(first);
     if (arguments.summary)
-    {
-        if (is_same_file(*arguments.summary, arguments.mesh) ||
-            is_same_file(*arguments.summary, arguments.output))
-            throw UsageError("--summary is '" + arguments.summary->string() +
-                             "', which is MESH or OUT; allowed: another file");
         check_writable(*arguments.summary);
-    }
     return format;
 }
 
@@ -94,25 +97,21 @@ std::vector<std::string> comments()
     return {std::string("voroprobe ") + VOROPROBE_VERSION, "unit: mm"};
 }
 
-//! From here on a signal comes too late.
-void pass_point_of_no_return()
-{
-    set_on_interrupt(OnInterrupt::kFinish);
-    if (interrupt_requested())
-        throw Error(ExitStatus::kInterrupted, "interrupted; nothing was written");
-}
-
 std::vector<fs::path> write(const std::vector<MeshPart>& parts, const ProcessArguments& arguments,
                             MeshFormat format)
 {
     std::vector<fs::path> written;
     if (writes_many(arguments))
+    {
+        expect_files(parts.size());
         for (std::size_t i = 0; i < parts.size(); ++i)
         {
             written.push_back(numbered(arguments.output, i + 1));
             write_mesh(parts[i].mesh, written.back(), format, comments(), pass_point_of_no_return,
                        normals_argument(arguments.normals, format));
+            note_file_written();
         }
+    }
     else if (format == MeshFormat::k3mf)
         write_parts(parts, arguments.output, comments(), pass_point_of_no_return);
     else
@@ -150,8 +149,9 @@ void run_process_command(const ProcessArguments& arguments)
 {
     const MeshFormat format = check_outputs(arguments);
     std::vector<MeshPart> parts = read_parts(arguments.mesh);
-    ProcessRun run{.arguments = arguments, .objects_read = parts.size(), .before = facts_of(merged(parts))};
+    ProcessRun run{.arguments = arguments, .objects_read = parts.size(), .before = facts_of(parts)};
     parts = mend(std::move(parts), arguments, run.steps);
+    check_files(arguments, parts.size());
     for (MeshPart& part : parts)
         part.mesh = finish(std::move(part.mesh), arguments.finish, parts.size() > 1 ? part.name : "", nullptr,
                            run.steps);
@@ -160,7 +160,7 @@ void run_process_command(const ProcessArguments& arguments)
             hollow(std::move(part.mesh), arguments.hollow, parts.size() > 1 ? part.name : "", run.steps);
     place(parts, arguments.finish.placement);
     run.objects_written = parts.size();
-    run.after = facts_of(merged(parts));
+    run.after = facts_of(parts);
     run.wrong = what_is_wrong(parts);
     run.written = write(parts, arguments, format);
 

@@ -6,6 +6,7 @@
 
 #include "certificate/certificate.h"
 #include "certificate/mesh_samples.h"
+#include "certificate/object_overlaps.h"
 #include "certificate/self_intersections.h"
 #include "certificate/surface_selection.h"
 #include "cli/info_text.h"
@@ -38,21 +39,17 @@ constexpr double kShareAsked = 0.75;
 //! Angles that are equal but for rounding.
 constexpr double kAngleRoundingDeg = 1e-6;
 
-std::string plural(std::size_t count, const std::string& one, const std::string& many)
-{
-    return count_text(count) + ' ' + (count == 1 ? one : many);
-}
-
 //! What a step lost; empty where nothing.
 std::string broken_topology(const MeshTopology& before, const MeshTopology& after)
 {
     if (before.closed() && !after.closed())
-        return "leave " + plural(after.boundary_edges, "edge", "edges") + " on one face only";
+        return "leave " + plural_text(after.boundary_edges, "edge", "edges") + " on one face only";
     if (before.manifold() && !after.manifold())
-        return "leave " + plural(after.non_manifold_edges + after.non_manifold_vertices, "place", "places") +
+        return "leave " +
+               plural_text(after.non_manifold_edges + after.non_manifold_vertices, "place", "places") +
                " that are not manifold";
     if (before.oriented() && !after.oriented())
-        return "leave " + plural(after.misoriented_edges, "edge", "edges") +
+        return "leave " + plural_text(after.misoriented_edges, "edge", "edges") +
                " whose faces wind against each other";
     if (after.components != before.components)
         return "make " + count_text(after.components) + " pieces of " + count_text(before.components);
@@ -68,9 +65,13 @@ void check_step(const StepReport& step)
     std::string broken = broken_topology(step.before.topology, step.after.topology);
     if (broken.empty() && step.after.self_intersections > step.before.self_intersections)
         broken = "let " +
-                 plural(step.after.self_intersections - step.before.self_intersections, "more pair",
-                        "more pairs") +
+                 plural_text(step.after.self_intersections - step.before.self_intersections, "more pair",
+                             "more pairs") +
                  " of faces cross";
+    if (broken.empty() && step.after.flat_faces > step.before.flat_faces)
+        broken = "leave " +
+                 plural_text(step.after.flat_faces - step.before.flat_faces, "more face", "more faces") +
+                 " without area";
     if (broken.empty() && step.max_distance && step.deviation && step.deviation->max > *step.max_distance)
         broken = "move the surface by " + number_text(step.deviation->max) + " mm near (" +
                  triple_text(step.deviation->max_at, ", ") +
@@ -83,6 +84,26 @@ void check_step(const StepReport& step)
         throw Error(ExitStatus::kIncomplete, "step '" + step.name + "'" +
                                                  (step.part.empty() ? "" : " on object '" + step.part + "'") +
                                                  " would " + broken + "; nothing was written");
+}
+
+//! `pairs`: what self_intersections() found of one object.
+StepFacts facts_of(const TriangleMesh& mesh, std::vector<FacePair> pairs)
+{
+    const std::size_t flat_faces = take_flat_faces(pairs);
+    return {.vertices = mesh.vertices.size(),
+            .faces = mesh.faces.size(),
+            .topology = analyze_topology(mesh),
+            .self_intersections = pairs.size(),
+            .flat_faces = flat_faces,
+            .angles = measure_angles(mesh),
+            .area_mm2 = area(mesh),
+            .volume_mm3 = enclosed_volume(mesh),
+            .box = bounding_box(mesh)};
+}
+
+StepFacts facts_of(const TriangleMesh& mesh)
+{
+    return facts_of(mesh, self_intersections(mesh));
 }
 
 //! Runs steps on one mesh and keeps their reports.
@@ -145,11 +166,11 @@ private:
 TriangleMesh repaired(const TriangleMesh& mesh, const std::optional<double>& max_hole_rim, std::string& done)
 {
     RepairResult result = repair(mesh, {.max_hole_rim = max_hole_rim});
-    done = plural(result.faces_dropped, "useless face", "useless faces") + " dropped, " +
-           plural(result.vertices_split, "vertex", "vertices") + " added where faces were not one fan, " +
-           plural(result.faces_turned, "face", "faces") + " turned over, " +
-           plural(result.holes_closed, "hole", "holes") + " closed, " + count_text(result.holes_left) +
-           " left";
+    done = plural_text(result.faces_dropped, "useless face", "useless faces") + " dropped, " +
+           plural_text(result.vertices_split, "vertex", "vertices") +
+           " added where faces were not one fan, " + plural_text(result.faces_turned, "face", "faces") +
+           " turned over, " + plural_text(result.holes_closed, "hole", "holes") + " closed, " +
+           count_text(result.holes_left) + " left";
     return std::move(result.mesh);
 }
 
@@ -167,7 +188,7 @@ DecimationOptions decimation_options(const FinishArguments& arguments, const Tri
 TriangleMesh decimated(const TriangleMesh& mesh, const DecimationOptions& options, std::string& done)
 {
     DecimationResult result = decimate(mesh, options);
-    done = plural(result.vertices_removed, "vertex", "vertices") + " removed, " +
+    done = plural_text(result.vertices_removed, "vertex", "vertices") + " removed, " +
            count_text(result.vertices_locked) + " kept because faces would have crossed";
     if (options.faces && result.mesh.faces.size() > *options.faces)
         done += "; " + count_text(*options.faces) +
@@ -184,7 +205,7 @@ BoundingSurface itself(const TriangleMesh& mesh, double max_distance)
 
 std::string short_faces_text(const ShortFaces& faces)
 {
-    std::string text = plural(faces.all(), "face", "faces") + " left below 33 deg";
+    std::string text = plural_text(faces.all(), "face", "faces") + " left below 33 deg";
     if (faces.all() > 0)
         text += ": " + count_text(faces.beyond_bound) + " beside faces beyond the distance bound, " +
                 count_text(faces.at_creases) + " where the surface turns within a face, " +
@@ -199,9 +220,9 @@ TriangleMesh relaxed(const TriangleMesh& mesh, const FinishArguments& arguments,
     const RelaxationOptions options{.max_shift = kShareAsked * max_distance};
     RelaxationResult result =
         relax(mesh, surface != nullptr ? *surface : itself(mesh, kRelaxationShare * max_distance), options);
-    done = plural(result.vertices_moved, "vertex", "vertices") + " moved, " +
-           plural(result.edges_flipped, "edge", "edges") + " flipped, " + count_text(result.edges_collapsed) +
-           " collapsed, " + count_text(result.edges_split) + " split; " +
+    done = plural_text(result.vertices_moved, "vertex", "vertices") + " moved, " +
+           plural_text(result.edges_flipped, "edge", "edges") + " flipped, " +
+           count_text(result.edges_collapsed) + " collapsed, " + count_text(result.edges_split) + " split; " +
            short_faces_text(result.short_faces);
     return std::move(result.mesh);
 }
@@ -216,14 +237,13 @@ std::string change_text(double before, double after)
 
 std::string facts_text(const StepReport& step)
 {
-    std::string text = count_text(step.after.faces) + " faces, " +
-                       plural(step.after.topology.components, "piece", "pieces") + ", " +
-                       (step.after.topology.closed() ? "closed" : "open") + ", " +
-                       count_text(step.after.self_intersections) + " crossings, smallest angle " +
-                       number_text(step.after.angles.min_deg) + " deg (mean " +
-                       number_text(step.after.angles.mean_min_deg) + "), volume " +
-                       number_text(step.after.volume_mm3) + " mm3 (" +
-                       change_text(step.before.volume_mm3, step.after.volume_mm3) + ")";
+    std::string text =
+        count_text(step.after.faces) + " faces, " +
+        plural_text(step.after.topology.components, "piece", "pieces") + ", " +
+        (step.after.topology.closed() ? "closed" : "open") + ", " + crossings_text(step.after) +
+        ", smallest angle " + number_text(step.after.angles.min_deg) + " deg (mean " +
+        number_text(step.after.angles.mean_min_deg) + "), volume " + number_text(step.after.volume_mm3) +
+        " mm3 (" + change_text(step.before.volume_mm3, step.after.volume_mm3) + ")";
     if (step.deviation)
         text += ", moved at most " + number_text(step.deviation->max) + " mm, mean " +
                 number_text(step.deviation->mean);
@@ -266,11 +286,11 @@ TriangleMesh hollowed(const TriangleMesh& mesh, const HollowArguments& arguments
     if (const auto broken = broken_promise(certificate))
         throw Error(ExitStatus::kIncomplete, "step 'hollow' would leave a mesh with " + *broken +
                                                  "; nothing was written (try a smaller --voxel)");
-    done = plural(solid.hollows, "hollow", "hollows") + " inside a wall of " + number_text(*arguments.wall) +
-           " mm, " + plural(solid.drains.size(), "drain", "drains") + "; meshed anew from voxels of " +
-           number_text(voxel) + " mm";
+    done = plural_text(solid.hollows, "hollow", "hollows") + " inside a wall of " +
+           number_text(*arguments.wall) + " mm, " + plural_text(solid.drains.size(), "drain", "drains") +
+           "; meshed anew from voxels of " + number_text(voxel) + " mm";
     if (!specks.empty())
-        done += "; " + plural(specks.size(), "speck", "specks") + " of less than " +
+        done += "; " + plural_text(specks.size(), "speck", "specks") + " of less than " +
                 count_text(kLeastVoxels) + " voxels left out";
     for (const Point3& drain : solid.drains)
         done += (drain == solid.drains.front() ? "; drained from (" : ", (") + triple_text(drain, ", ") + ")";
@@ -297,10 +317,10 @@ void select(std::vector<MeshPart>& parts, const ProcessArguments& arguments, std
                   [&](const TriangleMesh& mesh, std::string& done)
                   {
                       bodies = select_bodies(mesh, arguments.bodies, arguments.sort);
-                      done = plural(bodies.bodies.size(), "body", "bodies") + " kept, " +
+                      done = plural_text(bodies.bodies.size(), "body", "bodies") + " kept, " +
                              count_text(bodies.bodies_dropped) + " dropped (" +
                              number_text(bodies.volume_dropped) + " mm3), " +
-                             plural(bodies.cavities_dropped, "cavity", "cavities") + " filled";
+                             plural_text(bodies.cavities_dropped, "cavity", "cavities") + " filled";
                       std::vector<MeshPart> kept;
                       for (const TriangleMesh& body : bodies.bodies)
                           kept.push_back({.name = "", .mesh = body});
@@ -337,16 +357,23 @@ AffineTransform placement_of(const PlacementArguments& arguments, const std::vec
 
 } // namespace
 
-StepFacts facts_of(const TriangleMesh& mesh)
+StepFacts facts_of(std::span<const MeshPart> objects)
 {
-    return {.vertices = mesh.vertices.size(),
-            .faces = mesh.faces.size(),
-            .topology = analyze_topology(mesh),
-            .self_intersections = self_intersections(mesh).size(),
-            .angles = measure_angles(mesh),
-            .area_mm2 = area(mesh),
-            .volume_mm3 = enclosed_volume(mesh),
-            .box = bounding_box(mesh)};
+    const TriangleMesh mesh = merged(objects);
+    std::vector<std::size_t> faces_in_objects;
+    for (const MeshPart& object : objects)
+        faces_in_objects.push_back(object.mesh.faces.size());
+    std::vector<FacePair> pairs = self_intersections(mesh);
+    take_object_overlaps(pairs, faces_in_objects);
+    return facts_of(mesh, std::move(pairs));
+}
+
+std::string crossings_text(const StepFacts& facts)
+{
+    std::string text = plural_text(facts.self_intersections, "crossing", "crossings");
+    if (facts.flat_faces > 0)
+        text += ", " + plural_text(facts.flat_faces, "face", "faces") + " without area";
+    return text;
 }
 
 std::vector<MeshPart> mend(std::vector<MeshPart> parts, const ProcessArguments& arguments,
@@ -390,8 +417,8 @@ TriangleMesh finish(TriangleMesh mesh, const FinishArguments& arguments, const s
                            [&](const TriangleMesh& before, std::string& done)
                            {
                                SmoothingResult result = smooth(before, arguments.smooth);
-                               done = plural(arguments.smooth, "round", "rounds") + ", " +
-                                      plural(result.vertices_held, "vertex", "vertices") +
+                               done = plural_text(arguments.smooth, "round", "rounds") + ", " +
+                                      plural_text(result.vertices_held, "vertex", "vertices") +
                                       " held back where faces would have crossed";
                                return std::move(result.mesh);
                            });

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,13 +22,19 @@ struct StepFacts
     std::size_t vertices = 0;
     std::size_t faces = 0;
     MeshTopology topology;
-    std::size_t self_intersections = 0;
+    std::size_t self_intersections = 0; //!< pairs of faces of one object
+    std::size_t flat_faces = 0;         //!< without area
     AngleMeasures angles;
     double area_mm2 = 0.0;
     double volume_mm3 = 0.0;
     Box3 box;
 };
-StepFacts facts_of(const TriangleMesh& mesh);
+
+//! Of several objects all together. \pre there is one at least.
+StepFacts facts_of(std::span<const MeshPart> objects);
+
+//! "2 crossings, 1 face without area"; of the latter only where there are any.
+std::string crossings_text(const StepFacts& facts);
 
 //! One step, done.
 struct StepReport

@@ -26,9 +26,6 @@ struct ProcessRun
     std::vector<std::filesystem::path> written = {};
 };
 
-//! "1 object", "3 objects"
-std::string plural_text(std::size_t count, const std::string& one);
-
 //! "70,434 faces, 74 pieces, closed, no crossings, smallest angle ..."
 std::string facts_text(const StepFacts& facts);
 

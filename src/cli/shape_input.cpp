@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <string_view>
 #include <utility>
@@ -16,6 +15,7 @@
 #include "oracles/point_cloud_oracle.h"
 #include "oracles/triangle_mesh_oracle.h"
 #include "support/error.h"
+#include "support/text.h"
 
 namespace voroprobe
 {
@@ -27,24 +27,17 @@ constexpr double kGrainsAcross = 100.0;
 constexpr std::string_view kDomains =
     "box:x0,y0,z0,x1,y1,z1 with each first number below the second, or ball:cx,cy,cz,r with r > 0";
 
-std::string lower_case_extension(const std::filesystem::path& path)
-{
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
-}
-
 bool is_mesh_path(const std::filesystem::path& path)
 {
     static constexpr std::array<std::string_view, 6> kExtensions{".stl", ".ply", ".obj",
                                                                  ".off", ".vtp", ".3mf"};
-    return std::find(kExtensions.begin(), kExtensions.end(), lower_case_extension(path)) != kExtensions.end();
+    const std::string extension = lower_case(path.extension().string());
+    return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
 }
 
 bool is_cloud_path(const std::filesystem::path& path)
 {
-    return lower_case_extension(path) == ".xyz";
+    return lower_case(path.extension().string()) == ".xyz";
 }
 
 //! The numbers of a list separated by commas. \throw UsageError where one is none.

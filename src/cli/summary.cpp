@@ -1,14 +1,14 @@
 #include "cli/summary.h"
 
-#include <fstream>
+#include <ostream>
 #include <string_view>
 
 #include <nlohmann/json.hpp>
 
 #include "cli/certificate_report.h"
+#include "cli/json_values.h"
 #include "cli/process_summary.h"
 #include "io/atomic_file.h"
-#include "support/error.h"
 #include "support/memory.h"
 
 namespace voroprobe
@@ -18,11 +18,6 @@ namespace
 {
 
 using Json = nlohmann::ordered_json;
-
-Json json_of(const Vec3& v)
-{
-    return Json::array({v.x, v.y, v.z});
-}
 
 std::string_view status_name(RunStatus status)
 {
@@ -52,12 +47,6 @@ std::string_view kind_name(InputKind kind)
         return "points";
     }
     return {};
-}
-
-template <typename Value>
-Json value_or_null(const std::optional<Value>& value)
-{
-    return value ? Json(*value) : Json(nullptr);
 }
 
 Json input_json(const MeshRun& run)
@@ -116,21 +105,20 @@ Json parameters_json(const MeshRun& run)
     const bool one_at_a_time = options.isolated_vertices == IsolatedVertices::kOneAtATime;
     const auto of_level = [&run](const Json& value)
     { return run.input.has_isovalue() ? value : Json(nullptr); };
-    Json parameters{
-        {"isovalue", of_level(run.input.isovalue.value)},
-        {"isovalue_source", of_level(run.input.isovalue.source)},
-        {"inside", of_level(run.input.inside == InsideIs::kAbove ? "above" : "below")},
-        {"border", options.close_border ? "closed" : "open"},
-        {"size_mm", options.max_facet_radius},
-        {"angle_deg", options.min_facet_angle_deg},
-        {"distance_mm", options.max_facet_distance.value()},
-        {"floor_mm", options.floor_radius},
-        {"reach_mm", options.reach_lower_bound},
-        {"isolated", one_at_a_time ? "one" : "all"},
-        {"max_vertices", run.arguments.max_vertices ? Json(*run.arguments.max_vertices) : Json(nullptr)},
-        {"frame_of_reference", frame_name(run.arguments.frame)},
-        {"seed", run.arguments.seed},
-        {"threads", run.arguments.threads ? Json(*run.arguments.threads) : Json(nullptr)}};
+    Json parameters{{"isovalue", of_level(run.input.isovalue.value)},
+                    {"isovalue_source", of_level(run.input.isovalue.source)},
+                    {"inside", of_level(run.input.inside == InsideIs::kAbove ? "above" : "below")},
+                    {"border", options.close_border ? "closed" : "open"},
+                    {"size_mm", options.max_facet_radius},
+                    {"angle_deg", options.min_facet_angle_deg},
+                    {"distance_mm", options.max_facet_distance.value()},
+                    {"floor_mm", options.floor_radius},
+                    {"reach_mm", options.reach_lower_bound},
+                    {"isolated", one_at_a_time ? "one" : "all"},
+                    {"max_vertices", value_or_null(run.arguments.max_vertices)},
+                    {"frame_of_reference", frame_name(run.arguments.frame)},
+                    {"seed", run.arguments.seed},
+                    {"threads", value_or_null(run.arguments.threads)}};
     parameters.update(finding_json(run));
     return parameters;
 }
@@ -153,7 +141,7 @@ Json mesh_json(const MeshRun& run)
             {"max_angle_deg", facts.angles.max_deg},
             {"faces_below_angle_bound", facts.faces_below_angle_bound},
             {"vertices_on_domain_border", run.vertices_on_border},
-            {"box", {{"min", json_of(run.output_box.min)}, {"max", json_of(run.output_box.max)}}}};
+            {"box", json_of(run.output_box)}};
 }
 
 Json seeding_json(const MeshingStatistics& statistics)
@@ -215,18 +203,12 @@ std::string summary_json(const MeshRun& run)
         summary["steps"] = steps_json(run.steps);
     if (run.certificate)
         summary["certificate"] = certificate_json(*run.certificate, shown_from_grid(run));
-    return summary.dump(2) + '\n';
+    return json_text(summary) + '\n';
 }
 
 void write_text(const std::filesystem::path& path, const std::string& text)
 {
-    AtomicFile target(path);
-    std::ofstream file(target.temporary(), std::ios::binary);
-    file << text;
-    file.close();
-    if (!file)
-        throw OutputError("cannot write '" + path.string() + "': disk full or not writable");
-    target.commit();
+    write_atomically(path, {}, [&](std::ostream& out) { out << text; });
 }
 
 } // namespace voroprobe

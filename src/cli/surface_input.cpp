@@ -1,14 +1,12 @@
 #include "cli/surface_input.h"
 
-#include <algorithm>
-#include <cctype>
-
 #include "cli/label_map.h"
 #include "cli/number_text.h"
 #include "cli/shape_input.h"
 #include "cli/warnings.h"
 #include "oracles/vdb_oracle.h"
 #include "support/error.h"
+#include "support/text.h"
 
 namespace voroprobe
 {
@@ -126,10 +124,7 @@ SurfaceInput load_vdb_surface(const SurfaceRequest& request)
 
 bool is_vdb_path(const std::filesystem::path& path)
 {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension == ".vdb";
+    return lower_case(path.extension().string()) == ".vdb";
 }
 
 void check_read_options(const std::filesystem::path& path, const ReadOptions& options)

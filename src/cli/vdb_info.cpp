@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/info_text.h"
+#include "cli/json_values.h"
 #include "cli/number_text.h"
 
 namespace voroprobe
@@ -46,7 +47,7 @@ std::string vdb_info_json(const std::filesystem::path& path, const VdbSurface& s
                                         {"source", "usual for a " + surface.grid_class},
                                         {"inside", side_name(surface.inside)}}});
     json["warnings"] = surface.warnings;
-    return json.dump(2) + '\n';
+    return json_text(json) + '\n';
 }
 
 } // namespace voroprobe

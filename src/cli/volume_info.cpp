@@ -5,6 +5,7 @@
 #include "cli/histogram_view.h"
 #include "cli/info_text.h"
 #include "cli/isovalue_choice.h"
+#include "cli/json_values.h"
 #include "cli/label_map.h"
 #include "cli/number_text.h"
 #include "cli/surface_input.h"
@@ -147,7 +148,7 @@ std::string volume_info_json(const VolumeInfo& info)
     json["suggested_isovalues"] = suggestions;
     json["histogram"] = statistics.histogram;
     json["warnings"] = info.warnings;
-    return json.dump(2) + '\n';
+    return json_text(json) + '\n';
 }
 
 } // namespace voroprobe

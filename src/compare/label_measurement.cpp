@@ -177,11 +177,10 @@ private:
 
     void count_crossings(const TriangleMesh& mesh)
     {
-        for (const FacePair& pair : self_intersections(mesh))
-        {
-            total_.check.flat_faces += pair.first == pair.second ? 1 : 0;
-            total_.check.self_intersections.push_back(pair);
-        }
+        std::vector<FacePair> pairs = self_intersections(mesh);
+        total_.check.flat_faces += take_flat_faces(pairs);
+        total_.check.self_intersections.insert(total_.check.self_intersections.end(), pairs.begin(),
+                                               pairs.end());
     }
 
     void measure_distance(const TriangleMesh& moved, const PartMask& mask)

@@ -26,11 +26,6 @@ SamplingOptions sampling(const MeasuringOptions& options)
     return {.mesh_samples = options.mesh_samples, .surface_samples = options.mesh_samples / 2};
 }
 
-Json json_of(const Vec3& v)
-{
-    return Json::array({v.x, v.y, v.z});
-}
-
 Json json_of(const Histogram& histogram)
 {
     return {{"low", histogram.low()}, {"high", histogram.high()}, {"counts", histogram.counts()}};
@@ -83,7 +78,7 @@ Json topology_json(const Measurement& measurement)
             {"manifold", topology.manifold()},
             {"oriented", topology.oriented() && measurement.certificate.surfaces_inside_out == 0},
             {"surfaces_inside_out", measurement.certificate.surfaces_inside_out},
-            {"self_intersections", check.self_intersections.size() - check.flat_faces},
+            {"self_intersections", check.self_intersections.size()},
             {"flat_faces", check.flat_faces},
             {"boundary_edges", topology.boundary_edges},
             {"non_manifold_edges", topology.non_manifold_edges},
@@ -98,8 +93,8 @@ Json missing_json(const MissingSurface& surface, const AffineTransform& world_fr
     return {{"id", surface.id},
             {"voxels", surface.voxels},
             {"reason", surface.reason},
-            {"center_mm", json_of(world_from_grid * surface.box.center())},
-            {"size_mm", json_of(surface.box.extent())}};
+            {"center_mm", to_json(world_from_grid * surface.box.center())},
+            {"size_mm", to_json(surface.box.extent())}};
 }
 
 Json surfaces_json(const Certificate& certificate, const AffineTransform& world_from_grid)
@@ -125,7 +120,7 @@ Json surfaces_json(const Certificate& certificate, const AffineTransform& world_
 
 Json json_of(const DirectedDistance& distance, const AffineTransform& world_from_grid)
 {
-    return {{"max", distance.max},           {"max_at_mm", json_of(world_from_grid * distance.max_at)},
+    return {{"max", distance.max},           {"max_at_mm", to_json(world_from_grid * distance.max_at)},
             {"mean", distance.mean},         {"rms", distance.root_mean_square},
             {"p95", distance.percentile_95}, {"samples", distance.samples}};
 }
@@ -194,6 +189,11 @@ TwoSidedDistance measure_distance(const TriangleMesh& mesh, const ReferenceSurfa
     return two_sided(surface_distance(mesh, *reference.oracle, samples, points));
 }
 
+nlohmann::ordered_json to_json(const Vec3& v)
+{
+    return Json::array({v.x, v.y, v.z});
+}
+
 nlohmann::ordered_json to_json(const TwoSidedDistance& distance)
 {
     return {{"max", distance.max},
@@ -209,7 +209,7 @@ nlohmann::ordered_json box_json(const Box3& box_grid, const AffineTransform& wor
         box.include(world_from_grid * Point3{corner & 1U ? box_grid.max.x : box_grid.min.x,
                                              corner & 2U ? box_grid.max.y : box_grid.min.y,
                                              corner & 4U ? box_grid.max.z : box_grid.min.z});
-    return {{"min", json_of(box.min)}, {"max", json_of(box.max)}};
+    return {{"min", to_json(box.min)}, {"max", to_json(box.max)}};
 }
 
 nlohmann::ordered_json to_json(const Measurement& measurement, const ReferenceSurface& reference)

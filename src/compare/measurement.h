@@ -43,6 +43,9 @@ nlohmann::ordered_json to_json(const Measurement& measurement, const ReferenceSu
 
 nlohmann::ordered_json to_json(const TwoSidedDistance& distance);
 
+//! [x, y, z]
+nlohmann::ordered_json to_json(const Vec3& v);
+
 //! {"min": [x, y, z], "max": [x, y, z]} in the world.
 nlohmann::ordered_json box_json(const Box3& box_grid, const AffineTransform& world_from_grid);
 

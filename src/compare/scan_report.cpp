@@ -11,6 +11,7 @@
 #include "compare/label_competition.h"
 #include "compare/label_frame.h"
 #include "compare/library_versions.h"
+#include "compare/measurement.h"
 #include "compare/report_page.h"
 #include "compare/report_text.h"
 #include "support/memory.h"
@@ -23,16 +24,11 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const Vec3& v)
-{
-    return Json::array({v.x, v.y, v.z});
-}
-
 //! What is the same whatever the samples mean.
 Json file_json(const ScanFacts& facts)
 {
     return {{"name", facts.name},        {"path", facts.path}, {"format", facts.format},
-            {"type", facts.stored_type}, {"size", facts.size}, {"spacing_mm", json_of(facts.spacing)},
+            {"type", facts.stored_type}, {"size", facts.size}, {"spacing_mm", to_json(facts.spacing)},
             {"warnings", facts.warnings}};
 }
 
@@ -130,8 +126,8 @@ Json surfaces_json(const ReferenceSurface& reference)
                         {"cavity", surfaces[id].cavity},
                         {"touches_border", surfaces[id].touches_border},
                         {"genus", (2 - surfaces[id].euler_characteristic) / 2},
-                        {"center_mm", json_of(reference.world_from_grid * surfaces[id].box.center())},
-                        {"size_mm", json_of(surfaces[id].box.extent())}});
+                        {"center_mm", to_json(reference.world_from_grid * surfaces[id].box.center())},
+                        {"size_mm", to_json(surfaces[id].box.extent())}});
     return list;
 }
 
@@ -155,8 +151,8 @@ Json parts_json(const LabelTask& task)
                             {"voxels", part.voxels},
                             {"cavity", false},
                             {"touches_border", touches_border},
-                            {"center_mm", json_of(box.center())},
-                            {"size_mm", json_of(box.extent())}});
+                            {"center_mm", to_json(box.center())},
+                            {"size_mm", to_json(box.extent())}});
         }
     return list;
 }

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "io/mesh_reader.h"
+#include "io/mesh_writer.h"
 #include "program_fixture.h"
 
 namespace voroprobe
@@ -105,6 +107,64 @@ TEST_F(CheckTest, objects_that_overlap_are_told_and_pass_and_one_that_crosses_it
     ASSERT_EQ(mesh["object_overlaps"].size(), 1U);
     EXPECT_EQ(mesh["object_overlaps"][0]["objects"], nlohmann::json::array({1, 2}));
     EXPECT_GT(mesh["object_overlaps"][0]["face_pairs"], 0);
+}
+
+TEST_F(CheckTest, faces_without_area_are_counted_apart_from_pairs_that_cross)
+{
+    // Two tetrahedra that stand in each other, and a face that is a segment.
+    const std::string mesh = file("flat.off", "OFF\n11 9 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+                                              "0.2 0.2 0.2\n1.2 0.2 0.2\n0.2 1.2 0.2\n0.2 0.2 1.2\n"
+                                              "5 0 0\n6 0 0\n7 0 0\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"
+                                              "3 4 6 5\n3 4 5 7\n3 5 6 7\n3 6 4 7\n3 8 9 10\n");
+    const program::Outcome checked = program::run({"check", mesh, "--json", folder_ / "check.json"});
+    EXPECT_EQ(checked.status, 5);
+    const nlohmann::json told = json()["mesh"];
+    const std::string pairs = std::to_string(told["self_intersections"].get<int>());
+    EXPECT_EQ(told["flat_faces"], 1);
+    for (const auto& pair : told["first_self_intersections"])
+        EXPECT_NE(pair[0], pair[1]);
+    EXPECT_EQ(told["first_self_intersections"].size(), told["self_intersections"]);
+    EXPECT_NE(checked.out.find(pairs + " pairs of faces cross or overlap; 1 face without area"),
+              std::string::npos)
+        << checked.out;
+    EXPECT_NE(checked.err.find("1 face without area, " + pairs + " pairs of faces"), std::string::npos)
+        << checked.err;
+
+    const program::Outcome processed = program::run(
+        {"process", mesh, "-o", folder_ / "same.off", "--center", "--summary", folder_ / "check.json"});
+    EXPECT_EQ(processed.status, 5);
+    EXPECT_EQ(json()["before"]["self_intersections"], told["self_intersections"]);
+    EXPECT_EQ(json()["before"]["flat_faces"], 1);
+    EXPECT_NE(processed.out.find(pairs + " crossings, 1 face without area"), std::string::npos)
+        << processed.out;
+}
+
+TEST_F(CheckTest, against_a_scan_a_face_without_area_still_fails)
+{
+    const std::string mesh = mesh_of(ball_phantom());
+    ASSERT_EQ(check_against_scan(mesh).status, 0);
+    TriangleMesh flat = read_mesh(mesh);
+    // Between a face and its neighbour, cut in two, lies one whose corners are on their edge.
+    const TriangleMesh::Face face = flat.faces.front();
+    flat.vertices.push_back(0.5 * (flat.vertices[face[0]] + flat.vertices[face[1]]));
+    const auto middle = static_cast<std::uint32_t>(flat.vertices.size() - 1);
+    for (TriangleMesh::Face& neighbour : flat.faces)
+        if (const auto at = std::find(neighbour.begin(), neighbour.end(), face[1]);
+            at != neighbour.end() && *(at + 1 == neighbour.end() ? neighbour.begin() : at + 1) == face[0])
+        {
+            const std::uint32_t apex = neighbour[0] + neighbour[1] + neighbour[2] - face[0] - face[1];
+            neighbour = {face[1], middle, apex};
+            flat.faces.push_back({middle, face[0], apex});
+            break;
+        }
+    flat.faces.push_back({face[1], face[0], middle});
+    write_mesh(flat, folder_ / "flat.vtp", MeshFormat::kVtp);
+    const program::Outcome outcome = check_against_scan(folder_ / "flat.vtp");
+    EXPECT_EQ(outcome.status, 5) << outcome.out;
+    EXPECT_NE(outcome.err.find("1 face without area"), std::string::npos) << outcome.err;
+    // The halves of the edge lie on the whole of it.
+    EXPECT_EQ(json()["mesh"]["self_intersections"], 2);
+    EXPECT_EQ(json()["certificate"]["self_intersections"], 2);
 }
 
 TEST_F(CheckTest, an_open_mesh_fails_with_the_reason_on_one_line)

@@ -86,6 +86,20 @@ TEST_F(CompareTest, several_scans_get_a_page_each_and_an_index)
     EXPECT_NE(index.find("<td>2 of 2</td>"), std::string::npos);
 }
 
+TEST_F(CompareTest, scans_whose_pages_would_have_one_name_are_refused)
+{
+    for (const std::string folder : {"before", "after"})
+    {
+        std::filesystem::create_directory(folder_.path() / folder);
+        std::filesystem::copy_file(folder_.path() / "ball.mha", folder_.path() / folder / "head.mha");
+    }
+    const auto outcome = program::run({"compare", folder_ / "before/head.mha", folder_ / "after/head.mha",
+                                       "-o", folder_ / "pages", "--isovalue", "0"});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.err.find("head.html"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "pages"));
+}
+
 TEST_F(CompareTest, a_folder_of_one_volume_gets_a_folder_as_well_and_a_page_is_none)
 {
     std::filesystem::create_directory(folder_.path() / "scans");

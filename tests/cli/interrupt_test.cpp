@@ -1,5 +1,9 @@
 #include <algorithm>
 #include <csignal>
+#include <filesystem>
+#include <iterator>
+#include <sstream>
+#include <string>
 
 #include "program_fixture.h"
 
@@ -65,6 +69,70 @@ TEST_P(InterruptTest, while_the_file_is_being_written_it_still_leaves_no_trace)
     EXPECT_EQ(program::read_text(folder_ / "out.obj"), "precious");
     EXPECT_EQ(folder_.names(), names);
 }
+
+std::ptrdiff_t files_in(const std::filesystem::path& folder)
+{
+    std::error_code missing; // then there are none
+    const std::filesystem::directory_iterator files(folder, missing);
+    return missing ? 0 : std::distance(begin(files), end(files));
+}
+
+class ManyFilesTest : public InterruptTest
+{
+protected:
+    //! Interrupts a command once three of its files are there: it tells how many there are in the end.
+    void expect_files_counted(const std::vector<std::string>& arguments, std::size_t expected)
+    {
+        const std::filesystem::path out = folder_ / "out";
+        const auto outcome = program::run_and_signal(arguments, GetParam(),
+                                                     [&](const std::string&) { return files_in(out) > 3; });
+        EXPECT_EQ(outcome.status, 130) << outcome.err;
+        EXPECT_EQ(outcome.err, "voroprobe: error: interrupted; " + std::to_string(files_in(out)) + " of " +
+                                   std::to_string(expected) + " files were written\n");
+        EXPECT_LT(files_in(out), expected);
+        for (const auto& file : std::filesystem::directory_iterator(out))
+            EXPECT_EQ(file.path().extension(), ".stl") << file.path();
+    }
+};
+
+//! OFF: tetrahedra in a row.
+std::string tetrahedra(std::size_t count)
+{
+    std::ostringstream vertices;
+    std::ostringstream faces;
+    for (std::size_t n = 0; n < count; ++n)
+    {
+        const std::size_t x = 2 * n;
+        vertices << x << " 0 0\n" << x + 1 << " 0 0\n" << x << " 1 0\n" << x << " 0 1\n";
+        const std::size_t v = 4 * n;
+        faces << "3 " << v << ' ' << v + 2 << ' ' << v + 1 << "\n3 " << v << ' ' << v + 1 << ' ' << v + 3
+              << "\n3 " << v + 1 << ' ' << v + 2 << ' ' << v + 3 << "\n3 " << v + 2 << ' ' << v << ' '
+              << v + 3 << '\n';
+    }
+    const std::string total = std::to_string(4 * count);
+    return "OFF\n" + total + ' ' + total + " 0\n" + vertices.str() + faces.str();
+}
+
+TEST_P(ManyFilesTest, bodies_that_were_written_are_counted)
+{
+    constexpr std::size_t kBodies = 2000;
+    program::write_text(folder_ / "bodies.off", tetrahedra(kBodies));
+    expect_files_counted({"process", folder_ / "bodies.off", "--split", "-o", folder_ / "out/{n}.stl"},
+                         kBodies);
+}
+
+TEST_P(ManyFilesTest, labels_that_were_written_are_counted)
+{
+    Phantom columns = ball_phantom();
+    columns.field = [](const Point3& p) { return 1.0 + p.y + 24.0 * p.z; };
+    write_phantom(columns, folder_ / "labels.mha");
+    expect_files_counted({"mesh", folder_ / "labels.mha", "--labels", "all", "--max-labels", "576", "-o",
+                          folder_ / "out/{label}.stl"},
+                         576);
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, ManyFilesTest, testing::Values(SIGINT, SIGTERM),
+                         [](const auto& test) { return test.param == SIGINT ? "SIGINT" : "SIGTERM"; });
 
 INSTANTIATE_TEST_SUITE_P(Signals, InterruptTest, testing::Values(SIGINT, SIGTERM),
                          [](const auto& test) { return test.param == SIGINT ? "SIGINT" : "SIGTERM"; });

@@ -118,6 +118,40 @@ TEST_F(LabelsTest, what_cannot_be_meant_is_refused_before_anything_is_written)
     expect_refused({"--labels", "all", "--names", folder_ / "names.txt"}, {"overwrite", "{label}"});
 }
 
+TEST_F(LabelsTest, names_in_latin_1_come_out_right_in_meshes_and_summary)
+{
+    program::write_text(folder_ / "names.txt", "1 C\xF4te\n2 Sp\xE4ne\n7 bar\n");
+    const std::vector<std::string> all{
+        "--labels", "all", "--names", folder_ / "names.txt", "--summary", folder_ / "s.json"};
+    ASSERT_EQ(mesh(all, "all.3mf").status, 0);
+    const std::vector<MeshPart> parts = read_parts(folder_ / "all.3mf");
+    ASSERT_EQ(parts.size(), 3U);
+    EXPECT_EQ(parts[0].name, "C\xC3\xB4te");
+    EXPECT_EQ(nlohmann::json::parse(program::read_text(folder_ / "s.json")).at("labels")[1].at("name"),
+              "Sp\xC3\xA4ne");
+    ASSERT_EQ(mesh(all, "all.obj").status, 0);
+    EXPECT_NE(program::read_text(folder_ / "all.obj").find("g label_1 C\xC3\xB4te\n"), std::string::npos);
+}
+
+TEST_F(LabelsTest, no_file_of_a_pattern_overwrites_what_is_read_or_the_summary)
+{
+    program::write_text(folder_ / "names.txt", "1 labels\n2 names\n7 bar\n");
+    const std::vector<std::string> all{"--labels", "all", "--names", folder_ / "names.txt"};
+    const auto with = [&](std::vector<std::string> more)
+    {
+        more.insert(more.begin(), all.begin(), all.end());
+        return more;
+    };
+    const std::string before = program::read_text(folder_ / "labels.mha");
+    expect_refused(with({"--format", "stl"}), {"OUTPUT for label 1 and INPUT"}, "{name}.mha");
+    expect_refused(with({"--format", "stl"}), {"OUTPUT for label 2 and --names"}, "{name}.txt");
+    expect_refused(with({"--summary", folder_ / "bar.stl"}), {"--summary and OUTPUT for label 7"},
+                   "{name}.stl");
+    expect_refused(with({"--summary", folder_ / "labels.mha"}), {"--summary and INPUT"}, "{name}.stl");
+    EXPECT_EQ(program::read_text(folder_ / "labels.mha"), before);
+    EXPECT_EQ(folder_.names(), (std::vector<std::string>{"ball.mha", "labels.mha", "names.txt"}));
+}
+
 TEST_F(LabelsTest, all_labels_go_to_one_file_of_a_format_that_keeps_them_apart)
 {
     for (const std::string output : {"all.obj", "all.ply", "all.3mf"})

@@ -24,6 +24,13 @@ TEST(NumberText, counts_are_grouped_by_thousands)
     EXPECT_EQ(count_text(1234567), "1,234,567");
 }
 
+TEST(NumberText, one_is_told_in_the_singular)
+{
+    EXPECT_EQ(plural_text(1, "face"), "1 face");
+    EXPECT_EQ(plural_text(0, "face"), "0 faces");
+    EXPECT_EQ(plural_text(1234, "vertex", "vertices"), "1,234 vertices");
+}
+
 TEST(NumberText, shares_are_percentages)
 {
     EXPECT_EQ(percent_text(0.372055), "37.2 %");

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -6,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "certificate/mesh_distance.h"
 #include "io/mesh_reader.h"
 #include "mesh/measures.h"
 #include "mesh/topology.h"
@@ -17,6 +19,9 @@ namespace
 {
 
 namespace fs = std::filesystem;
+
+//! Of coordinates below 100 in 32 bits.
+constexpr double kRounding = 1e-5;
 
 //! A ball with a cavity, and a small ball beside it.
 Phantom shell_and_ball()
@@ -100,6 +105,53 @@ TEST_F(ProcessTest, bodies_are_split_into_files_and_objects)
     EXPECT_NEAR(enclosed_volume(parts[0].mesh), first, 1e-3 * first);
 }
 
+TEST_F(ProcessTest, file_names_that_are_no_utf8_do_not_break_the_json_of_any_command)
+{
+    const std::string latin = "c\xF4te";
+    const std::string json = folder_ / "told.json";
+    fs::copy_file(folder_ / "scan.mha", folder_ / (latin + ".mha"));
+    const std::string scan = folder_ / (latin + ".mha");
+    const std::string made = folder_ / (latin + ".ply");
+    const std::vector<std::vector<std::string>> commands{
+        {"mesh", scan, "-o", made, "--isovalue", "0", "--summary", json},
+        {"check", made, "--json", json},
+        {"process", made, "-o", folder_ / (latin + ".obj"), "--center", "--summary", json}};
+    for (const auto& command : commands)
+    {
+        const program::Outcome outcome = program::run(command);
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        EXPECT_NE(nlohmann::json::parse(program::read_text(json)).dump().find("c\xEF\xBF\xBDte"),
+                  std::string::npos)
+            << command[0];
+    }
+    const program::Outcome told = program::run({"info", scan, "--json"});
+    EXPECT_EQ(told.status, 0) << told.err;
+    EXPECT_TRUE(nlohmann::json::accept(told.out));
+}
+
+TEST_F(ProcessTest, no_file_of_a_pattern_overwrites_the_mesh_or_the_summary)
+{
+    for (const std::string number : {"1", "2"})
+    {
+        const std::string input = folder_ / ("body" + number + ".ply");
+        fs::copy_file(mesh(), input);
+        const std::string before = program::read_text(input);
+        const program::Outcome outcome =
+            program::run({"process", input, "-o", folder_ / "body{n}.ply", "--split"});
+        EXPECT_EQ(outcome.status, 2) << outcome.err;
+        EXPECT_NE(outcome.err.find("OUT for body " + number), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find("and MESH are both " + input), std::string::npos) << outcome.err;
+        EXPECT_EQ(program::read_text(input), before);
+        fs::remove(input);
+    }
+    EXPECT_EQ(process("summary{n}.json", {"--split", "--format", "ply"}).status, 0); // no such number
+    const program::Outcome outcome = program::run(
+        {"process", mesh(), "-o", folder_ / "body{n}.ply", "--split", "--summary", folder_ / "body2.ply"});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.err.find("--summary and OUT for body 2"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(folder_ / "body1.ply"));
+}
+
 TEST_F(ProcessTest, a_mesh_is_moved_as_it_is_told)
 {
     const Box3 before = bounding_box(read_mesh(mesh()));
@@ -176,6 +228,84 @@ TEST_F(ProcessTest, printing_is_judged)
     const program::Outcome small = program::run({"check", mesh(), "--printable", "--bed", "10,10,10"});
     EXPECT_EQ(small.status, 5);
     EXPECT_NE(small.err.find("--bed"), std::string::npos) << small.err;
+}
+
+TEST_F(ProcessTest, no_point_goes_farther_from_the_mesh_than_max_error)
+{
+    ASSERT_EQ(program::run(mesh_ball("fine.ply", {"--size", "1"})).status, 0);
+    const TriangleMesh before = read_mesh(folder_ / "fine.ply");
+    std::size_t fewest_faces = before.faces.size();
+    for (const double bound : {0.05, 0.2})
+    {
+        const program::Outcome outcome =
+            program::run({"process", folder_ / "fine.ply", "-o", folder_ / "out.ply", "--max-error",
+                          std::to_string(bound)});
+        ASSERT_EQ(outcome.status, 0) << outcome.err;
+        const TriangleMesh after = read_mesh(folder_ / "out.ply");
+        EXPECT_LT(after.faces.size(), fewest_faces) << "a wider bound lets more of them go";
+        fewest_faces = after.faces.size();
+        const MeshDistance distance_to(after);
+        for (const Point3& p : before.vertices)
+            EXPECT_LE(distance_to(p), bound + kRounding);
+    }
+}
+
+TEST_F(ProcessTest, decimation_makes_no_face_with_a_smaller_angle_than_told)
+{
+    const TriangleMesh before = read_mesh(mesh());
+    const auto faces_below = [&](const std::string& bound)
+    {
+        EXPECT_EQ(process("out.ply", {"--decimate", "40%", "--decimate-angle", bound}).status, 0);
+        return count_faces_below_angle(read_mesh(folder_ / "out.ply"), 28.0 - kRounding);
+    };
+    EXPECT_LE(faces_below("28"), count_faces_below_angle(before, 28.0));
+    EXPECT_GT(faces_below("5"), count_faces_below_angle(before, 28.0));
+}
+
+//! 10 mm high, on a square of 10 mm, and as wide as told at the top.
+std::string leaning_block(double top_half)
+{
+    const std::string t = std::to_string(top_half);
+    return "OFF\n8 12 0\n-5 -5 0\n5 -5 0\n5 5 0\n-5 5 0\n-" + t + " -" + t + " 10\n" + t + " -" + t +
+           " 10\n" + t + ' ' + t + " 10\n-" + t + ' ' + t +
+           " 10\n3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n" +
+           "3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n";
+}
+
+TEST_F(ProcessTest, faces_hang_over_that_lean_out_farther_than_told)
+{
+    const double lean = 30.0 * std::acos(-1.0) / 180.0;
+    const double top_half = 5.0 + 10.0 * std::tan(lean);
+    program::write_text(folder_ / "block.off", leaning_block(top_half));
+    const auto overhang_beyond = [&](const std::string& bound)
+    {
+        const program::Outcome outcome =
+            program::run({"check", folder_ / "block.off", "--printable", "--overhang", bound, "--json",
+                          folder_ / "summary.json"});
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        return summary()["printable"]["overhang_area_mm2"].get<double>();
+    };
+    const double sides = 4.0 * (5.0 + top_half) * 10.0 / std::cos(lean);
+    EXPECT_NEAR(overhang_beyond("29"), sides, 1e-3);
+    EXPECT_EQ(overhang_beyond("31"), 0.0);
+}
+
+TEST_F(ProcessTest, surfaces_that_enclose_less_than_told_are_left_out_and_listed)
+{
+    for (const auto& [volume, components] : {std::pair{"10", 3U}, {"100", 2U}}) // the small ball has 33 mm3
+    {
+        const program::Outcome outcome =
+            program::run({"mesh", folder_ / "scan.mha", "-o", folder_ / "out.ply", "--isovalue", "0",
+                          "--min-component-volume", volume, "--summary", folder_ / "summary.json"});
+        ASSERT_EQ(outcome.status, 0) << outcome.err;
+        EXPECT_EQ(count_components(read_mesh(folder_ / "out.ply")), components);
+        EXPECT_EQ(summary()["certificate"]["dropped"].size(), 3 - components);
+    }
+    const program::Outcome none = program::run({"mesh", folder_ / "scan.mha", "-o", folder_ / "none.ply",
+                                                "--isovalue", "0", "--min-component-volume", "1e5"});
+    EXPECT_EQ(none.status, 4);
+    EXPECT_NE(none.err.find("--min-component-volume"), std::string::npos) << none.err;
+    EXPECT_FALSE(fs::exists(folder_ / "none.ply"));
 }
 
 TEST_F(ProcessTest, wrong_usage_is_refused_before_anything_is_read)

@@ -48,6 +48,18 @@ TEST_F(LabelTable, reads_look_up_tables_of_freesurfer_and_slicer)
     EXPECT_EQ(table[1].name, "region with blanks");
 }
 
+TEST_F(LabelTable, names_in_latin_1_become_utf8_and_those_in_utf8_stay)
+{
+    for (const std::string text :
+         {"1 C\xF4te\n2 rein \xE0 gauche\n", "1 C\xC3\xB4te\n2 rein \xC3\xA0 gauche\n"})
+    {
+        const auto table = table_of(text);
+        ASSERT_EQ(table.size(), 2U);
+        EXPECT_EQ(table[0].name, "C\xC3\xB4te");
+        EXPECT_EQ(table[1].name, "rein \xC3\xA0 gauche");
+    }
+}
+
 TEST_F(LabelTable, reads_lines_of_a_number_and_a_name)
 {
     const auto table =

@@ -1,3 +1,5 @@
+#include <array>
+#include <cmath>
 #include <csignal>
 #include <cstdint>
 #include <cstring>
@@ -116,6 +118,28 @@ TEST(MeshWriter, a_binary_stl_says_its_size_and_does_not_pose_as_text)
     std::uint32_t faces = 0;
     std::memcpy(&faces, content.data() + 80, 4);
     EXPECT_EQ(faces, 80U);
+}
+
+TEST(MeshWriter, a_face_without_area_has_the_normal_0_0_0_in_a_binary_stl)
+{
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "mesh.stl";
+    TriangleMesh mesh = tetrahedron();
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const double x : {5.0, 6.0, 7.0})
+        mesh.vertices.push_back({x, 0, 0});
+    mesh.faces.push_back({first, first + 1, first + 2});
+    write_mesh(mesh, path, MeshFormat::kStlBinary);
+
+    const std::string content = content_of(path);
+    ASSERT_EQ(content.size(), 84U + 50U * 5U);
+    for (std::size_t face = 0; face < 5; ++face)
+    {
+        std::array<float, 3> normal{};
+        std::memcpy(normal.data(), content.data() + 84 + 50 * face, sizeof normal);
+        const float length = std::hypot(normal[0], normal[1], normal[2]);
+        EXPECT_NEAR(length, face < 4 ? 1.0 : 0.0, 1e-6);
+    }
 }
 
 TEST(MeshWriter, an_ascii_stl_is_one_named_solid)

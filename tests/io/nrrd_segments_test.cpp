@@ -54,6 +54,17 @@ TEST_F(NrrdSegments, have_names_colours_labels_and_layers)
     EXPECT_FALSE(segments[1].entry.color.has_value());
 }
 
+TEST_F(NrrdSegments, names_that_are_no_utf8_are_taken_for_latin_1)
+{
+    const auto segments =
+        read_segments(file_of({"type: unsigned char", "dimension: 3", "sizes: 1 1 1", "encoding: raw",
+                               "Segment0_Name:= C\xF4te ", "Segment1_Name:=C\xC3\xB4te"},
+                              "x"));
+    ASSERT_EQ(segments.size(), 2U);
+    EXPECT_EQ(segments[0].entry.name, "C\xC3\xB4te");
+    EXPECT_EQ(segments[1].entry.name, "C\xC3\xB4te");
+}
+
 TEST_F(NrrdSegments, layers_are_read_as_frames)
 {
     const auto path = two_layers();
