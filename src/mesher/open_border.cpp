@@ -1,35 +1,21 @@
 #include "mesher/open_border.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <utility>
 #include <vector>
 
+#include "mesher/cap_finder.h"
+#include "mesher/capped_mesh.h"
+#include "mesher/moved_faces.h"
 #include "mesher/pinched_edges.h"
+#include "mesher/rim.h"
+#include "mesher/rim_corners.h"
 #include "support/union_find.h"
 
 namespace voroprobe
 {
 namespace
 {
-
-//! Whether the whole face lies on one side of the box.
-bool lies_on_side(const TriangleMesh& mesh, const TriangleMesh::Face& face, const Box3& box, double tolerance)
-{
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-        for (const double side : {box.min[axis], box.max[axis]})
-        {
-            if (std::all_of(face.begin(), face.end(),
-                            [&](std::uint32_t vertex)
-                            { return std::abs(mesh.vertices[vertex][axis] - side) <= tolerance; }))
-                return true;
-        }
-    }
-    return false;
-}
 
 //! The corners of a mesh, number 3 f + k being corner k of face f, by their vertex.
 std::vector<std::vector<std::uint32_t>> corners_of_vertices(const TriangleMesh& mesh)
@@ -94,23 +80,23 @@ void split_fans(TriangleMesh& mesh)
     }
 }
 
+TriangleMesh without_unused_vertices(const TriangleMesh& mesh)
+{
+    return with_faces(mesh, std::vector<bool>(mesh.faces.size(), true));
+}
+
 } // namespace
 
-void open_border(const Box3& box, double tolerance, ExtractedSurface& surface)
+void open_border(const SurfaceOracle& oracle, ExtractedSurface& surface)
 {
-    TriangleMesh& mesh = surface.mesh;
-    std::vector<bool> kept;
-    kept.reserve(mesh.faces.size());
-    for (const TriangleMesh::Face& face : mesh.faces)
-        kept.push_back(!lies_on_side(mesh, face, box, tolerance));
-    for (std::size_t f = 0, to = 0; f < kept.size(); ++f)
-    {
-        if (kept[f])
-            surface.surface_of_face[to++] = surface.surface_of_face[f];
-    }
-    mesh = with_faces(mesh, kept);
-    surface.surface_of_face.resize(mesh.faces.size());
-    split_fans(mesh);
+    CapFinder caps(oracle);
+    CappedMesh capped = with_parts(oracle.domain(), caps, std::move(surface));
+    cut_along_rim(caps, capped);
+    add_rim_corners(oracle.domain(), caps, capped);
+    put_back_where_faces_cross(capped.place_on_it, capped.mesh);
+    surface.mesh = without_unused_vertices(capped.mesh);
+    surface.surface_of_face = std::move(capped.surface_of_face);
+    split_fans(surface.mesh);
 }
 
 } // namespace voroprobe
