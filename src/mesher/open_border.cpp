@@ -6,7 +6,7 @@
 
 #include "mesher/cap_finder.h"
 #include "mesher/capped_mesh.h"
-#include "mesher/moved_faces.h"
+#include "mesher/face_settling.h"
 #include "mesher/pinched_edges.h"
 #include "mesher/rim.h"
 #include "mesher/rim_corners.h"
@@ -34,23 +34,44 @@ bool are_neighbors(const TriangleMesh& mesh, std::uint32_t c, std::uint32_t d)
     return next(c) == previous(d) || previous(c) == next(d);
 }
 
-//! Gives the fan of the corners a vertex of its own, moved towards the middle of its faces.
-void give_own_vertex(TriangleMesh& mesh, std::uint32_t vertex, const std::vector<std::uint32_t>& fan)
+//! Places a hair away from a vertex, towards the middle of its faces in the fan and of each of them; then
+//! nearer ones.
+std::vector<Point3> places_in_fan(const TriangleMesh& mesh, std::uint32_t vertex,
+                                  const std::vector<std::uint32_t>& fan)
 {
+    constexpr double kNearer = 0.1;
     const Point3 from = mesh.vertices[vertex];
-    Vec3 sum;
+    std::vector<Vec3> ways(1);
     for (const std::uint32_t c : fan)
     {
+        Vec3 sum;
         for (std::size_t k = 0; k < 3; ++k)
             sum += mesh.corner(mesh.faces[c / 3], k) - from;
+        ways.front() += sum / static_cast<double>(fan.size());
+        ways.push_back(sum);
     }
+    std::vector<Point3> places;
+    for (const double share : {kHairPerEdge, kNearer * kHairPerEdge})
+        for (const Vec3& way : ways)
+            places.push_back(from + share * way);
+    return places;
+}
+
+//! Gives the fan of the corners a vertex of its own.
+void give_own_vertex(TriangleMesh& mesh, std::uint32_t vertex, const std::vector<std::uint32_t>& fan,
+                     OtherPlaces& others)
+{
+    const std::vector<Point3> places = places_in_fan(mesh, vertex, fan);
+    const auto copy = static_cast<std::uint32_t>(mesh.vertices.size());
     for (const std::uint32_t c : fan)
-        mesh.faces[c / 3][c % 3] = static_cast<std::uint32_t>(mesh.vertices.size());
-    mesh.vertices.push_back(from + (kHairPerEdge / static_cast<double>(fan.size())) * sum);
+        mesh.faces[c / 3][c % 3] = copy;
+    mesh.vertices.push_back(places.front());
+    others[copy].assign(places.begin() + 1, places.end());
 }
 
 void split_fans(TriangleMesh& mesh)
 {
+    OtherPlaces others;
     const auto corners = corners_of_vertices(mesh);
     for (std::uint32_t vertex = 0; vertex < corners.size(); ++vertex)
     {
@@ -75,9 +96,20 @@ void split_fans(TriangleMesh& mesh)
                 if (fans.find(i) == root)
                     fan.push_back(around[i]);
             }
-            give_own_vertex(mesh, vertex, fan);
+            give_own_vertex(mesh, vertex, fan, others);
         }
     }
+    settle_crossing_faces(std::move(others), mesh);
+}
+
+//! Of the vertices that were moved off it.
+OtherPlaces places_on_closed_mesh(const CappedMesh& capped)
+{
+    OtherPlaces places;
+    for (std::uint32_t v = 0; v < capped.place_on_it.size(); ++v)
+        if (capped.mesh.vertices[v] != capped.place_on_it[v])
+            places[v] = {capped.place_on_it[v]};
+    return places;
 }
 
 TriangleMesh without_unused_vertices(const TriangleMesh& mesh)
@@ -93,7 +125,7 @@ void open_border(const SurfaceOracle& oracle, ExtractedSurface& surface)
     CappedMesh capped = with_parts(oracle.domain(), caps, std::move(surface));
     cut_along_rim(caps, capped);
     add_rim_corners(oracle.domain(), caps, capped);
-    put_back_where_faces_cross(capped.place_on_it, capped.mesh);
+    settle_crossing_faces(places_on_closed_mesh(capped), capped.mesh);
     surface.mesh = without_unused_vertices(capped.mesh);
     surface.surface_of_face = std::move(capped.surface_of_face);
     split_fans(surface.mesh);

@@ -120,11 +120,38 @@ private:
             if (squared_distance(from, point.on_rim) < squared_distance(from, target))
                 target = point.on_rim;
         }
+        const auto neighbors = proper_neighbors(targets);
         for (const auto& [end, target] : targets)
         {
+            if (of == SurfacePart::kProper && !has_proper(neighbors, end))
+                continue;
             mesh().vertices[end] = target;
             capped_.part[end] = SurfacePart::kRim;
         }
+    }
+
+    using Neighbors = std::map<std::uint32_t, std::vector<std::uint32_t>>;
+
+    //! Of the vertices to be moved those neighbors that are of the surface.
+    [[nodiscard]] Neighbors proper_neighbors(const std::map<std::uint32_t, Point3>& targets) const
+    {
+        Neighbors neighbors;
+        for (const Face& face : capped_.mesh.faces)
+            for (std::size_t k = 0; k < 3; ++k)
+                if (part(face[k]) == SurfacePart::kProper && targets.contains(face[k]))
+                    for (const std::size_t other : {(k + 1) % 3, (k + 2) % 3})
+                        if (part(face[other]) == SurfacePart::kProper)
+                            neighbors[face[k]].push_back(face[other]);
+        return neighbors;
+    }
+
+    //! Whether one is left: the last vertex of a small part stays, or the part would be lost.
+    [[nodiscard]] bool has_proper(const Neighbors& neighbors, std::uint32_t vertex) const
+    {
+        const auto found = neighbors.find(vertex);
+        return found != neighbors.end() &&
+               std::any_of(found->second.begin(), found->second.end(),
+                           [&](std::uint32_t other) { return part(other) == SurfacePart::kProper; });
     }
 
     [[nodiscard]] std::uint32_t dividing_vertex(const CapEdge& edge)

@@ -1,7 +1,9 @@
-#include "mesher/moved_faces.h"
+#include "mesher/face_settling.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/box_intersection_d.h>
@@ -33,42 +35,37 @@ bool has_area(const TriangleMesh& mesh, const Face& face)
     return squared_norm(cross(mesh.corner(face, 1) - a, mesh.corner(face, 2) - a)) > 0.0;
 }
 
-class MovedFaces
+class FaceSettling
 {
 public:
-    MovedFaces(const std::vector<Point3>& places, TriangleMesh& mesh)
-        : places_(places), mesh_(mesh), is_changed_(mesh.faces.size())
+    FaceSettling(OtherPlaces places, TriangleMesh& mesh) : mesh_(mesh), is_changed_(mesh.faces.size(), false)
     {
+        next_.resize(mesh.vertices.size());
+        for (auto& [vertex, others] : places)
+            next_[vertex].assign(others.rbegin(), others.rend());
         for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-            is_changed_[f] = is_moved(mesh.faces[f]);
+            is_changed_[f] = std::any_of(mesh.faces[f].begin(), mesh.faces[f].end(),
+                                         [&](std::uint32_t vertex) { return !next_[vertex].empty(); });
     }
 
-    void settle()
+    void run()
     {
-        while (put_back(vertices_to_put_back()))
+        while (move_on(vertices_of_crossing_faces()))
         {
         }
     }
 
 private:
-    [[nodiscard]] bool is_moved(std::uint32_t vertex) const
-    {
-        return mesh_.vertices[vertex] != places_[vertex];
-    }
-
-    [[nodiscard]] bool is_moved(const Face& face) const
-    {
-        return is_moved(face[0]) || is_moved(face[1]) || is_moved(face[2]);
-    }
-
-    //! Those of the crossing faces that are moved.
-    [[nodiscard]] std::vector<bool> vertices_to_put_back() const
+    //! By vertex. Only faces that have changed are held against the others.
+    [[nodiscard]] std::vector<bool> vertices_of_crossing_faces() const
     {
         std::vector<bool> found(mesh_.vertices.size(), false);
+        if (std::find(is_changed_.begin(), is_changed_.end(), true) == is_changed_.end())
+            return found;
         const auto find = [&](const Face& face)
         {
             for (const std::uint32_t vertex : face)
-                found[vertex] = found[vertex] || is_moved(vertex);
+                found[vertex] = true;
         };
         std::vector<FaceBox> all;
         std::vector<FaceBox> changed;
@@ -96,34 +93,37 @@ private:
         return found;
     }
 
-    //! Whether there were any. The faces at them are looked at next.
-    bool put_back(const std::vector<bool>& vertices)
+    //! Each of these to the next of its places; returns whether one had any.
+    bool move_on(const std::vector<bool>& vertices)
     {
-        bool any = false;
+        std::vector<bool> moved(vertices.size(), false);
         for (std::size_t v = 0; v < vertices.size(); ++v)
         {
-            if (vertices[v])
-                mesh_.vertices[v] = places_[v];
-            any = any || vertices[v];
+            if (!vertices[v] || next_[v].empty())
+                continue;
+            mesh_.vertices[v] = next_[v].back();
+            next_[v].pop_back();
+            moved[v] = true;
         }
         for (std::size_t f = 0; f < mesh_.faces.size(); ++f)
         {
             const Face& face = mesh_.faces[f];
-            is_changed_[f] = vertices[face[0]] || vertices[face[1]] || vertices[face[2]];
+            is_changed_[f] = moved[face[0]] || moved[face[1]] || moved[face[2]];
         }
-        return any;
+        return std::find(moved.begin(), moved.end(), true) != moved.end();
     }
 
-    const std::vector<Point3>& places_;
     TriangleMesh& mesh_;
-    std::vector<bool> is_changed_; //!< by face: since crossings were last looked for
+    std::vector<std::vector<Point3>> next_; //!< by vertex: its other places, the last one first
+    std::vector<bool> is_changed_;          //!< by face: since crossings were last looked for
 };
 
 } // namespace
 
-void put_back_where_faces_cross(const std::vector<Point3>& places, TriangleMesh& mesh)
+void settle_crossing_faces(OtherPlaces places, TriangleMesh& mesh)
 {
-    MovedFaces(places, mesh).settle();
+    if (!places.empty())
+        FaceSettling(std::move(places), mesh).run();
 }
 
 } // namespace voroprobe
