@@ -15,6 +15,10 @@ namespace
 
 using Face = TriangleMesh::Face;
 
+//! The surface across a face is no farther than this share of its longest side: the height of an arch as wide
+//! as high.
+constexpr double kAcross = 0.5;
+
 SurfacePart part_of(const Crossing& crossing)
 {
     return crossing.on_border ? SurfacePart::kCap : SurfacePart::kProper;
@@ -47,13 +51,6 @@ double longest_side(const TriangleMesh& mesh, const Face& face)
 Point3 middle(const TriangleMesh& mesh, const Face& face)
 {
     return (mesh.corner(face, 0) + mesh.corner(face, 1) + mesh.corner(face, 2)) / 3.0;
-}
-
-std::optional<Crossing> crossing_across(const TriangleMesh& mesh, const Face& face, CapFinder& caps)
-{
-    const Point3 a = mesh.corner(face, 0);
-    const Vec3 out = normalized(cross(mesh.corner(face, 1) - a, mesh.corner(face, 2) - a));
-    return caps.nearest(middle(mesh, face), out, longest_side(mesh, face));
 }
 
 std::vector<SurfacePart> parts_of_vertices(const TriangleMesh& mesh, CapFinder& caps)
@@ -131,10 +128,11 @@ CappedMesh with_parts(const Box3& domain, CapFinder& caps, ExtractedSurface surf
     return capped;
 }
 
-SurfacePart part_across(const TriangleMesh& mesh, const Face& face, CapFinder& caps)
+std::optional<Crossing> crossing_across(const TriangleMesh& mesh, const Face& face, CapFinder& caps)
 {
-    const auto crossing = crossing_across(mesh, face, caps);
-    return crossing ? part_of(*crossing) : SurfacePart::kCap;
+    const Point3 a = mesh.corner(face, 0);
+    const Vec3 out = normalized(cross(mesh.corner(face, 1) - a, mesh.corner(face, 2) - a));
+    return caps.nearest(middle(mesh, face), out, kAcross * longest_side(mesh, face));
 }
 
 } // namespace voroprobe

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "mesh/triangle_mesh.h"
@@ -36,7 +37,8 @@ struct CappedMesh
 //! and for each face near the border.
 CappedMesh with_parts(const Box3& domain, CapFinder& caps, ExtractedSurface surface);
 
-//! Of the point of the surface across the middle of a face: kCap where there is none.
-SurfacePart part_across(const TriangleMesh& mesh, const TriangleMesh::Face& face, CapFinder& caps);
+//! The crossing nearest to the middle of a face on the line at right angles to it, within its longest side.
+std::optional<Crossing> crossing_across(const TriangleMesh& mesh, const TriangleMesh::Face& face,
+                                        CapFinder& caps);
 
 } // namespace voroprobe

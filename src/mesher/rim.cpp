@@ -176,13 +176,10 @@ private:
         return corners;
     }
 
-    [[nodiscard]] bool has_proper_part(const Face& face)
+    [[nodiscard]] std::size_t corners_of(const Face& face, SurfacePart wanted) const
     {
-        const auto is_of = [&](SurfacePart wanted)
-        { return [this, wanted](std::uint32_t vertex) { return part(vertex) == wanted; }; };
-        if (std::all_of(face.begin(), face.end(), is_of(SurfacePart::kRim)))
-            return part_across(mesh(), face, caps_) == SurfacePart::kProper;
-        return std::any_of(face.begin(), face.end(), is_of(SurfacePart::kProper));
+        return static_cast<std::size_t>(std::count_if(
+            face.begin(), face.end(), [&](std::uint32_t vertex) { return part(vertex) == wanted; }));
     }
 
     void keep_proper_parts()
@@ -191,9 +188,24 @@ private:
         const std::vector<SurfaceId> surfaces = std::exchange(capped_.surface_of_face, {});
         for (std::size_t f = 0; f < faces.size(); ++f)
         {
-            if (has_proper_part(faces[f]))
+            if (corners_of(faces[f], SurfacePart::kProper) > 0)
                 add_polygon(proper_part(faces[f]), surfaces[f]);
+            else if (corners_of(faces[f], SurfacePart::kRim) == 3)
+                add_over_dent(faces[f], surfaces[f]);
         }
+    }
+
+    //! A face from rim to rim goes, unless the surface lies across it: then it is drawn there.
+    void add_over_dent(const Face& face, SurfaceId surface)
+    {
+        const auto crossing = crossing_across(mesh(), face, caps_);
+        if (!crossing || crossing->on_border)
+            return;
+        const auto& places = capped_.place_on_it;
+        const Point3 place = (places[face[0]] + places[face[1]] + places[face[2]]) / 3.0;
+        const std::uint32_t middle = capped_.add_vertex(crossing->point, place, SurfacePart::kProper);
+        for (std::size_t k = 0; k < 3; ++k)
+            add_polygon({face[k], face[(k + 1) % 3], middle}, surface);
     }
 
     //! Of four corners, divided along the shorter diagonal.

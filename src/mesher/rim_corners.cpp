@@ -1,5 +1,6 @@
 #include "mesher/rim_corners.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -16,6 +17,9 @@ using Face = TriangleMesh::Face;
 
 //! An end within this share of its edge from the rim's corner moves there, against slivers.
 constexpr double kNearCorner = 0.3;
+
+//! Within this share of an edge from a vertex of the rim there is a corner already.
+constexpr double kSameCorner = 0.01;
 
 //! Vertices within this share of the box's diagonal of a side lie on it: above the rounding of crossings.
 constexpr double kOnSide = 1e-9;
@@ -40,12 +44,16 @@ private:
     bool add_one_for_each_face()
     {
         std::vector<std::uint32_t> rim;
+        rim_.clear();
         EdgeTable(capped_.mesh)
             .for_each_edge(
                 [&](std::span<const EdgeTable::Side> sides)
                 {
-                    if (sides.size() == 1)
-                        rim.push_back(sides.front().corner);
+                    if (sides.size() != 1)
+                        return;
+                    const std::uint32_t corner = sides.front().corner;
+                    rim.push_back(corner);
+                    rim_.push_back(capped_.mesh.faces[corner / 3][corner % 3]);
                 });
         std::vector<bool> is_divided(capped_.mesh.faces.size(), false);
         bool any = false;
@@ -53,7 +61,7 @@ private:
         {
             const std::size_t f = side / 3;
             const auto corner = is_divided[f] ? std::nullopt : corner_of_rim(f, side % 3);
-            if (!corner)
+            if (!corner || is_taken(*corner, f, side % 3))
                 continue;
             is_divided[f] = any = true;
             if (!draw_end_to(*corner, f, side % 3))
@@ -101,6 +109,20 @@ private:
         return std::nullopt;
     }
 
+    //! Whether another vertex of the rim is there: where the rim runs to and fro between two sides.
+    [[nodiscard]] bool is_taken(const Point3& corner, std::size_t f, std::size_t k) const
+    {
+        const TriangleMesh& mesh = capped_.mesh;
+        const std::uint32_t a = mesh.faces[f][k];
+        const std::uint32_t b = mesh.faces[f][(k + 1) % 3];
+        const double same = kSameCorner * distance(mesh.vertices[a], mesh.vertices[b]);
+        return std::any_of(rim_.begin(), rim_.end(),
+                           [&](std::uint32_t vertex) {
+                               return vertex != a && vertex != b &&
+                                      distance(mesh.vertices[vertex], corner) < same;
+                           });
+    }
+
     [[nodiscard]] std::size_t sides(const Point3& p) const
     {
         return std::size_t{side(p, 0).has_value()} + std::size_t{side(p, 1).has_value()} +
@@ -134,6 +156,7 @@ private:
         const std::uint32_t c = face[(k + 2) % 3];
         const Point3 on_edge = 0.5 * (capped_.place_on_it[a] + capped_.place_on_it[b]);
         const std::uint32_t middle = capped_.add_vertex(corner, on_edge, SurfacePart::kRim);
+        rim_.push_back(middle);
         capped_.mesh.faces[f] = {a, middle, c};
         capped_.mesh.faces.push_back({middle, b, c});
         capped_.surface_of_face.push_back(capped_.surface_of_face[f]);
@@ -142,6 +165,7 @@ private:
     const Box3& box_;
     CapFinder& caps_;
     CappedMesh& capped_;
+    std::vector<std::uint32_t> rim_; //!< vertices
 };
 
 } // namespace
