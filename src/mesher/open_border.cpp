@@ -85,8 +85,8 @@ void split_fans(TriangleMesh& mesh)
                     fans.unite(i, j);
             }
         }
-        for (std::uint32_t root = 1; root < around.size();
-             ++root) // the fan of the first corner keeps the vertex
+        std::vector<std::uint32_t> first; // keeps the vertex, and makes room where the others wrap around it
+        for (std::uint32_t root = 0; root < around.size(); ++root)
         {
             if (fans.find(root) != root)
                 continue;
@@ -96,6 +96,12 @@ void split_fans(TriangleMesh& mesh)
                 if (fans.find(i) == root)
                     fan.push_back(around[i]);
             }
+            if (root == 0)
+            {
+                first = std::move(fan);
+                continue;
+            }
+            others.try_emplace(vertex, places_in_fan(mesh, vertex, first));
             give_own_vertex(mesh, vertex, fan, others);
         }
     }
