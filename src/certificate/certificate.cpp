@@ -6,6 +6,7 @@
 
 #include <tbb/parallel_invoke.h>
 
+#include "certificate/border_surfaces.h"
 #include "certificate/complaints.h"
 #include "certificate/face_tree.h"
 #include "certificate/kept_surfaces.h"
@@ -125,6 +126,11 @@ private:
     {
         const ScanSurface& surface = surfaces_[static_cast<std::size_t>(id)];
         const std::vector<std::uint32_t>& pieces = evidence_[static_cast<std::size_t>(id)].pieces;
+        if (pieces.empty() && may_end_at_border(surface) && lies_in_border(oracle_, id, floor_radius()))
+        {
+            certificate_.in_border.push_back(entry(id, "it lies in the border of the volume"));
+            return;
+        }
         ++certificate_.surfaces_expected;
         const bool has_closed_piece =
             std::any_of(pieces.begin(), pieces.end(),
@@ -135,7 +141,7 @@ private:
             return;
         }
         ++certificate_.surfaces_meshed;
-        if (pieces.size() > 1)
+        if (is_split(surface, pieces))
             certificate_.split.push_back({id, pieces.size(), surface.box});
         judge_handles(id, pieces);
         certificate_.surfaces_inside_out += is_inside_out(surface, pieces) ? 1 : 0;
@@ -144,6 +150,20 @@ private:
     [[nodiscard]] bool may_end_at_border(const ScanSurface& surface) const
     {
         return options_.caps == BorderCaps::kLeftOut && surface.touches_border;
+    }
+
+    //! The sheets of a surface cut by the border all have a rim.
+    [[nodiscard]] bool is_split(const ScanSurface& surface, const std::vector<std::uint32_t>& pieces) const
+    {
+        return pieces.size() > 1 &&
+               (!may_end_at_border(surface) ||
+                std::any_of(pieces.begin(), pieces.end(),
+                            [&](std::uint32_t piece) { return pieces_.pieces[piece].closed(); }));
+    }
+
+    [[nodiscard]] double floor_radius() const
+    {
+        return options_.floor_radius.value_or(0.25 * options_.reach);
     }
 
     [[nodiscard]] bool may_stand_for(const MeshPiece& piece, const ScanSurface& surface) const
@@ -231,8 +251,8 @@ private:
         surface_of_face.reserve(mesh_.faces.size());
         for (const std::uint32_t piece : pieces_.piece_of_face)
             surface_of_face.push_back(surface_of_piece_[piece]);
-        certificate_.lost_parts = find_lost_parts(mesh_, surface_of_face, oracle_, options_.reach,
-                                                  options_.floor_radius.value_or(0.25 * options_.reach));
+        certificate_.lost_parts =
+            find_lost_parts(mesh_, surface_of_face, oracle_, options_.reach, floor_radius());
         std::erase_if(certificate_.lost_parts, [&](const LostPart& part)
                       { return !expected_[static_cast<std::size_t>(part.surface)]; });
     }

@@ -29,7 +29,8 @@ struct MissingSurface
     std::string reason;
 };
 
-//! A surface of the scan that is several pieces of the mesh.
+//! A surface of the scan that is several pieces of the mesh; where it may end at the border, of which some
+//! are closed.
 struct SplitSurface
 {
     SurfaceId id;
@@ -93,10 +94,12 @@ struct CertificateOptions
 //! Whether a mesh is the mesh of a scan, all of it.
 struct Certificate
 {
-    std::size_t surfaces_expected = 0; //!< those of the scan, but for the dropped ones
-    std::size_t surfaces_meshed = 0;   //!< of these, with a closed piece or several
+    std::size_t surfaces_expected =
+        0;                           //!< those of the scan, but for the dropped ones and those in the border
+    std::size_t surfaces_meshed = 0; //!< of these, with a closed piece or several
     std::vector<MissingSurface> missing;
     std::vector<MissingSurface> dropped;
+    std::vector<MissingSurface> in_border; //!< left out with their caps where the border is open
     std::vector<SplitSurface> split;
     std::vector<ForeignPiece> foreign;
     std::vector<LostPart> lost_parts; //!< of surfaces that are meshed otherwise
@@ -126,6 +129,9 @@ struct Certificate
 //! The mesh falls into pieces connected through edges. Each represents the surface that most of its area lies
 //! on; a surface is meshed where a closed piece represents it. Of several surfaces on one piece the others
 //! are missing, merged with it, unless they have pieces of their own.
+//!
+//! Without caps a surface that touches the border may be any number of sheets with a rim. Where it comes
+//! nowhere farther from the border than twice the floor's radius, it need not have a piece.
 //!
 //! `surfaces`: those of the oracle's inventory, by id. `surface_of_face`: where the maker of the mesh knows
 //! it; else found by surface_of_vertices(). Frame: the oracle's. \pre equal points of the mesh are one

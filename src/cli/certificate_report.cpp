@@ -49,7 +49,10 @@ std::string counts_text(const Certificate& certificate)
            count_text(certificate.surfaces_meshed) + " meshed, " + count_text(certificate.missing.size()) +
            " missing, " + count_text(certificate.split.size()) + " in several pieces, " +
            count_text(certificate.foreign.size()) + " pieces on none" +
-           (certificate.dropped.empty() ? "" : ", " + count_text(certificate.dropped.size()) + " dropped");
+           (certificate.dropped.empty() ? "" : ", " + count_text(certificate.dropped.size()) + " dropped") +
+           (certificate.in_border.empty()
+                ? ""
+                : ", " + count_text(certificate.in_border.size()) + " in the border only");
 }
 
 //! The first few entries, and how many more there are.
@@ -175,8 +178,8 @@ std::string certificate_lines(const Certificate& certificate, const AffineTransf
                places_text(mismatch.places, shown_from_oracle);
     };
     return info_line("surfaces", counts_text(certificate)) + list_lines(certificate.missing, missing_text) +
-           list_lines(certificate.split, split_text) + list_lines(certificate.lost_parts, lost_text) +
-           info_line("handles", genus_text(certificate)) +
+           list_lines(certificate.in_border, missing_text) + list_lines(certificate.split, split_text) +
+           list_lines(certificate.lost_parts, lost_text) + info_line("handles", genus_text(certificate)) +
            list_lines(certificate.genus_mismatches, mismatch_text) +
            info_line("distance", "from the mesh " + distance_text(certificate.distance.from_mesh)) +
            info_line("", "from the scan " + distance_text(certificate.distance.from_surface)) +
@@ -191,6 +194,7 @@ Json certificate_json(const Certificate& certificate, const AffineTransform& sho
             {"complete", certificate.complete()},
             {"missing", missing_json(certificate.missing, shown_from_oracle)},
             {"dropped", missing_json(certificate.dropped, shown_from_oracle)},
+            {"in_border", missing_json(certificate.in_border, shown_from_oracle)},
             {"split", list_json(certificate.split,
                                 [&](const SplitSurface& surface)
                                 {

@@ -14,10 +14,6 @@ namespace voroprobe
 namespace
 {
 
-// Vertices within this many floor radii of a side of the domain lie on it: far above rounding, below what
-// could be seen.
-constexpr double kOnSideInFloors = 0.05;
-
 ContactReport take_apart(const RestrictedDelaunay& restricted, BoundaryComplex& complex)
 {
     const auto pinched = split_pinched_edges(restricted, complex);
@@ -64,7 +60,7 @@ ExtractedSurface extract_surface(const RestrictedDelaunay& restricted, RegionSet
     count_found_pieces(pieces, statistics);
     ExtractedSurface extracted{std::move(complex.mesh), std::move(surface_of_face), std::move(pieces)};
     if (!options.close_border)
-        open_border(restricted.oracle().domain(), kOnSideInFloors * options.floor_radius, extracted);
+        open_border(restricted.oracle(), extracted);
     return extracted;
 }
 

@@ -38,6 +38,15 @@ public:
         return kNoSurface;
     }
 
+    //! For points_on(), whatever the surface.
+    void set_points(std::vector<Point3> points) { points_ = std::move(points); }
+
+    [[nodiscard]] std::vector<std::vector<Point3>> points_on(std::span<const SurfaceId> surfaces,
+                                                             std::size_t /*most*/) const override
+    {
+        return std::vector<std::vector<Point3>>(surfaces.size(), points_);
+    }
+
     [[nodiscard]] std::vector<ScanSurface> inventory() const
     {
         std::vector<ScanSurface> surfaces;
@@ -62,6 +71,7 @@ public:
 private:
     std::vector<Sphere> spheres_;
     SphereUnionOracle plain_;
+    std::vector<Point3> points_;
 };
 
 TriangleMesh turned_inside_out(TriangleMesh mesh)
@@ -265,6 +275,54 @@ TEST_F(CertificateTest, finds_the_surfaces_of_vertices_that_lie_beside_them)
     for (std::size_t f = 0; f < mesh.faces.size(); ++f)
         for (const std::uint32_t v : mesh.faces[f])
             ASSERT_EQ(surfaces[v], static_cast<SurfaceId>(pieces[f]));
+}
+
+TEST_F(CertificateTest, takes_sheets_for_one_surface_where_the_border_is_open)
+{
+    // Two spheres without one face each stand for what the border leaves of the small ball.
+    TriangleMesh mesh = mesh_without(2);
+    for (const double radius : {2.0, 1.99})
+    {
+        TriangleMesh sheet = sample::icosphere(2, radius);
+        sheet.faces.pop_back();
+        sample::append(mesh, sheet, {14, 0, 0});
+    }
+    auto inventory = oracle_.inventory();
+    inventory[2].touches_border = true;
+    options_.caps = BorderCaps::kLeftOut;
+    const Certificate sheets = certify(mesh, oracle_, inventory, options_);
+    EXPECT_TRUE(sheets.split.empty());
+    EXPECT_TRUE(sheets.complete());
+    EXPECT_EQ(broken_promise(sheets), std::nullopt);
+
+    sample::append(mesh, sample::icosphere(1, 1.98), {14, 0, 0});
+    const Certificate with_closed_piece = certify(mesh, oracle_, inventory, options_);
+    ASSERT_EQ(with_closed_piece.split.size(), 1U) << "no border cuts off a closed piece";
+    EXPECT_EQ(with_closed_piece.split[0].pieces, 3U);
+}
+
+TEST_F(CertificateTest, lists_what_lies_in_an_open_border_instead_of_missing_it)
+{
+    // The speck's points lie at the top of the domain, or a floor's diameter below it.
+    const Point3 top{0, oracle_.domain().max.y, 0};
+    auto inventory = oracle_.inventory();
+    inventory[3].touches_border = true;
+    options_.floor_radius = 0.1;
+    oracle_.set_points({top, top - Vec3{0, 0.15, 0}});
+    EXPECT_EQ(certify(mesh_without(3), oracle_, inventory, options_).missing.size(), 1U) << "closed";
+
+    options_.caps = BorderCaps::kLeftOut;
+    const Certificate certificate = certify(mesh_without(3), oracle_, inventory, options_);
+    EXPECT_TRUE(certificate.missing.empty());
+    ASSERT_EQ(certificate.in_border.size(), 1U);
+    EXPECT_EQ(certificate.in_border[0].id, 3);
+    EXPECT_EQ(certificate.surfaces_expected, 3U);
+    EXPECT_TRUE(certificate.complete());
+
+    oracle_.set_points({top, top - Vec3{0, 0.25, 0}});
+    const Certificate deeper = certify(mesh_without(3), oracle_, inventory, options_);
+    EXPECT_EQ(deeper.missing.size(), 1U);
+    EXPECT_TRUE(deeper.in_border.empty());
 }
 
 TEST_F(CertificateTest, of_an_empty_mesh_misses_everything)

@@ -14,4 +14,7 @@ namespace voroprobe
 //! all does.
 std::optional<std::string> what_is_wrong_with_the_mesh_of(const RandomVolume& random);
 
+//! The same without the caps: pieces may have a rim, and be several for a surface.
+std::optional<std::string> what_is_wrong_with_the_open_mesh_of(const RandomVolume& random);
+
 } // namespace voroprobe

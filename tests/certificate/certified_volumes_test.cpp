@@ -60,6 +60,17 @@ TEST_P(CertifiedVolumes, lose_no_surface_and_gain_none)
     expect_certified(GetParam(), 1, kVolumesPerKind, kLargestSide);
 }
 
+TEST_P(CertifiedVolumes, lose_no_surface_and_gain_none_where_the_border_is_open)
+{
+    for (std::uint64_t seed = 1; seed <= kVolumesPerKind; ++seed)
+    {
+        const RandomVolume random = volume_of(GetParam(), seed, kLargestSide);
+        if (const auto wrong = what_is_wrong_with_the_open_mesh_of(random))
+            ADD_FAILURE() << random.name << ", " << random.volume->geometry.size[0]
+                          << " samples a side: " << *wrong;
+    }
+}
+
 // Bridges that reconciling took away again, or that rested on handles undone later; ways along necks through
 // cells that share no facets; specks that later refinement lost; regions cut where the inside was given up;
 // an end farther from the mesh than its facets are long.
